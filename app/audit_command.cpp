@@ -47,7 +47,7 @@ int run_audit(const AuditArguments& arguments) {
   ProtocolAudit audit;
   {
     ProgressLine line;
-    audit = audit_protocols(arguments.matrices, files_as_given(arguments.evaluation),
+    audit = audit_protocols(arguments.matrices, evaluation_files(arguments.evaluation),
                             standing_options(arguments.resampling), line.receiver());
   }
   print_output("{}", formatted_audit(audit, arguments.printed));
@@ -60,12 +60,10 @@ int run_audit(const AuditArguments& arguments) {
 void add_audit_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("audit", "Evaluate files like several evaluation programs, and compare the ranks");
-  command->footer(
-      "Example: shapegauge audit ours.npy theirs.npy --labels test.cla\n"
-      "         shapegauge audit *.txt --labels queries.cla --targets targets.cla\n'evaluate --evaluator' applies one "
-      "program.");
+  command->footer("Example: shapegauge audit ours.npy theirs.npy --labels test.cla");
   const auto arguments = std::make_shared<AuditArguments>();
-  command->add_option("matrices", arguments->matrices, "Files that 'evaluate' reads, of the same queries")->required();
+  command->add_option("matrices", arguments->matrices, "Distances, features or ranked lists of the same queries")
+      ->required();
   add_file_options(*command, arguments->evaluation);
   add_threads_option(*command, arguments->evaluation.threads);
   add_resampling_options(*command, arguments->resampling);

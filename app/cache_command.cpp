@@ -27,7 +27,7 @@ std::string size_text(std::uintmax_t bytes) {
 }
 
 fs::path folder_of(const CacheOption& option) {
-  fs::path folder = chosen_cache(option);
+  fs::path folder = requested_cache_folder(option);
   if (folder.empty()) throw InputError("no cache folder: SHAPEGAUGE_CACHE is empty or HOME is not set; see --cache");
   return folder;
 }
@@ -58,6 +58,7 @@ int clear(const CacheOption& option) {
 
 void add_action(CLI::App& cache, const char* name, const char* what, int (*action)(const CacheOption&), int& status) {
   CLI::App* command = cache.add_subcommand(name, what);
+  command->footer("");  // else that of the parent
   const auto option = std::make_shared<CacheOption>();
   add_cache_option(*command, *option);
   command->callback([option, action, &status] { status = action(*option); });

@@ -45,7 +45,8 @@ double parse_limit(std::string_view option, const std::string& text, const std::
 }
 
 CheckOptions options_of(const CheckArguments& arguments) {
-  if (arguments.min_wall.empty() && arguments.min_gap.empty()) throw InputError("--min-wall or --min-gap is required");
+  if (arguments.min_wall.empty() && arguments.min_gap.empty())
+    throw InputError("--min-wall or --min-gap is required, such as --min-wall 1.2");
   const std::optional<double> min_area = parse_number(arguments.min_area);
   if (!(min_area && *min_area >= 0)) {
     throw InputError(fmt::format("--min-area is {}; it must be a number, 0 or more", quoted_word(arguments.min_area)));
@@ -73,8 +74,8 @@ void print_parts(const CheckArguments& arguments, const std::vector<CheckedPart>
 void remark_on(const PartReport& report, Remarks& remarks) {
   if (!report.closed) {
     remarks.warnings.emplace_back(
-        "the mesh is not closed and consistently oriented: walls and gaps are those of its faces as they are oriented; "
-        "'shapegauge info' describes it");
+        "the mesh is not closed and consistently oriented: where faces point inwards, walls and gaps are exchanged; "
+        "repair it ('shapegauge info' lists its defects)");
   }
   const auto is_coarse = [](const ThinRegions& found) { return found.spacing > 1.01 * found.limit; };
   if (is_coarse(report.walls) || is_coarse(report.gaps)) {
@@ -85,7 +86,7 @@ void remark_on(const PartReport& report, Remarks& remarks) {
 }
 
 int run(CheckArguments& arguments) {
-  take_unit_of_files(arguments.unit, arguments.files.inputs);
+  set_unit_from_format(arguments.unit, arguments.files.inputs);
   const CheckOptions options = options_of(arguments);
   if (is_standard_stream(arguments.files.output)) {
     throw InputError("the report is written to standard output; --output must be a file");
@@ -124,14 +125,17 @@ void add_check_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   add_unit_option(*command, arguments->unit);
   begin_option_group(*command, "Limits");
-  command->add_option("--min-wall", arguments->min_wall, "Minimum thickness of walls, such as 1.2 or 1.2mm")
-      ->type_name("LENGTH");
-  command->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps")->type_name("LENGTH");
   command
-      ->add_option(
-          "--min-area", arguments->min_area,
-          "Minimum area of listed regions, in squared units of the file, at least the smaller of (limit / 8)² and "
-          "1 % of the surface; smaller ones are only counted")
+      ->add_option("--min-wall", arguments->min_wall,
+                   "Minimum thickness of walls, such as 1.2 (in file units) or 1.2mm; required without --min-gap")
+      ->type_name("LENGTH");
+  command
+      ->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps, such as 0.5mm; required without --min-wall")
+      ->type_name("LENGTH");
+  command
+      ->add_option("--min-area", arguments->min_area,
+                   "Minimum area of listed regions, in squared file units, at least the smaller of (limit / 8)² and 1 "
+                   "% of the surface; smaller ones are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);

@@ -15,10 +15,10 @@
 
 namespace shapegauge {
 
-/// Shape that was checked for thin walls and narrow gaps, with its report.
+/// Shape of a part to be manufactured that was checked for thin walls and narrow gaps, with its report.
 struct CheckedPart {
-  std::string name;
-  PartReport report;
+  std::string name;   ///< path of the shape's file
+  PartReport report;  ///< thin walls, narrow gaps and closed voids that were found
 };
 
 /// Formats the report on a part as text: tables of the largest thin regions, and the verdict. Lengths are in `unit`.
@@ -27,14 +27,16 @@ std::string check_text(const CheckedPart& part, const std::string& unit);
 /// Formats the report on a part as JSON, with the face indices of each thin region.
 nlohmann::ordered_json check_json(const CheckedPart& part, const std::string& unit);
 
-/// Makes a table with one row for each thin region of the parts.
+/// Makes a table of all checked parts for CSV and other formats: one row per region of a thin wall or narrow
+/// gap.
 TextTable check_table(std::span<const CheckedPart> parts);
 
-/// Writer of the surface of a part to a file; triangles are split along the borders of thin regions.
+/// Function that writes the checked surface of a part to a file, coloured by thickness relative to the limit. Triangles
+/// are split along the borders of thin regions.
 using SurfaceWriter = std::function<void(const std::filesystem::path&, const CheckedPart&)>;
 
-/// Returns the writer for the extension of a file name. `up` is the vertical axis in pages and pictures. Throws
-/// InputError for an unsupported extension.
+/// Returns the writer for the extension of the file name `name`. `up` is the vertical axis in pages and pictures.
+/// Throws InputError for an unsupported extension.
 SurfaceWriter surface_writer(const std::filesystem::path& name, const std::string& unit, UpAxis up);
 
 }  // namespace shapegauge

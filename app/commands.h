@@ -11,7 +11,7 @@ namespace shapegauge {
 
 /// Exit statuses of the program (docs/reference/definitions.md#exit-status).
 /// @{
-inline constexpr int exit_success = 0;
+inline constexpr int exit_success = 0;         ///< the command completed
 inline constexpr int exit_with_failures = 1;   ///< the command completed with failures, which messages name
 inline constexpr int exit_unusable_input = 2;  ///< input or arguments are unusable; the command did nothing
 inline constexpr int exit_not_passed = 3;      ///< `check` found a part that does not pass
@@ -28,7 +28,7 @@ bool interrupted();
 /// Returns the exit status of an interrupted program: 128 plus the number of the signal.
 int interruption_status();
 
-/// Returns the subcommands of the app or of a command.
+/// Returns the direct subcommands of the program or of one of its commands, for shell completions.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
 /// Adds the options and all commands of the program to an app. A command runs while the arguments are parsed and stores
@@ -55,7 +55,7 @@ void add_evaluate_command(CLI::App& app, int& status);   ///< adds `evaluate`: e
 void add_compare_command(CLI::App& app, int& status);    ///< adds `compare`: compares methods on the same queries
 void add_audit_command(CLI::App& app, int& status);      ///< adds `audit`: evaluates as several evaluation programs do
 void add_leaderboard_command(CLI::App& app, int& status);              ///< adds `leaderboard`: ranks submitted methods
-void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< adds a command that evaluates segmentations
+void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< adds the command `evaluate-segmentation`
 void add_measures_command(CLI::App& app, int& status);  ///< adds `measures`: prints the definitions of the measures
 void add_dataset_command(CLI::App& app, int& status);   ///< adds `dataset`: describes, checks and generates data sets
 void add_cache_command(CLI::App& app, int& status);     ///< adds `cache`: manages the cache of results

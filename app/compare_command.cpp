@@ -271,7 +271,7 @@ void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::strin
     for (std::size_t j = 0; j < i; ++j) {
       std::error_code unknown;
       if (!fs::equivalent(inputs[j], inputs[i], unknown)) continue;
-      warnings.push_back(fmt::format("{} and {} are the same file", inputs[j].string(), inputs[i].string()));
+      warnings.push_back(fmt::format("{} and {} are the same file; omit one", inputs[j].string(), inputs[i].string()));
     }
   }
 }
@@ -303,7 +303,7 @@ int run(const CompareArguments& arguments) {
 
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
-  command.add_option("--test", arguments.test, "Significance test of pairs")
+  command.add_option("--test", arguments.test, "Significance test for each pair of methods")
       ->check(one_of(list_of_words<PairTest>()))
       ->capture_default_str()
       ->transform([](const std::string& name) { return name == "randomization" ? "randomisation" : name; });  // older
@@ -311,7 +311,9 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
       ->check(one_of(list_of_words<Average>()))
       ->capture_default_str();
   command.add_option("--reference", arguments.reference, "Method compared with every other one (default: all pairs)");
-  command.add_option("--names", arguments.names, "Names of the methods in order, such as ours,theirs")->delimiter(',');
+  command
+      .add_option("--names", arguments.names, "Names of the methods, such as ours,theirs (default: from the inputs)")
+      ->delimiter(',');
   begin_option_group(command, output_options);
   command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command.add_option("--plot-scores", arguments.score_plot,
@@ -333,9 +335,9 @@ void add_compare_command(CLI::App& app, int& status) {
       "         shapegauge compare mine.npy theirs.npy --labels test.cla");
   const auto arguments = std::make_shared<CompareArguments>();
   command
-      ->add_option(
-          "inputs", arguments->inputs,
-          "Folders of runs, tables of 'evaluate --per-query' or, with --labels or --qrels, inputs of 'evaluate'")
+      ->add_option("inputs", arguments->inputs,
+                   "Folders of runs, tables of 'evaluate --per-query' or, with --labels or --qrels, distances, "
+                   "features or ranked lists")
       ->required();
   add_evaluation_options(*command, arguments->evaluation);
   add_comparison_options(*command, *arguments);

@@ -211,7 +211,9 @@ void add_completion_command(CLI::App& app, int& status) {
       "         shapegauge completion zsh > ~/.zfunc/_shapegauge\n"
       "         shapegauge completion fish > ~/.config/fish/completions/shapegauge.fish");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "Shell")->required()->check(one_of({"bash", "zsh", "fish"}));
+  command->add_option("shell", *shell, "Shell that loads the script")
+      ->required()
+      ->check(one_of({"bash", "zsh", "fish"}));
   command->callback([&app, shell, &status] {
     const auto script = *shell == "bash" ? bash_completion : *shell == "zsh" ? zsh_completion : fish_completion;
     print_output("{}", script(app));

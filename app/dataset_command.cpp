@@ -186,8 +186,11 @@ std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   auto arguments = std::make_shared<LookArguments>();
   command->add_option("folder", arguments->folder, "Folder of the data set")->required();
   command->add_option("--classification", arguments->classification,
-                      "Classification (.cla) or CSV table, if not in the folder");
-  command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
+                      "File of the classes, .cla or CSV (default: by layout, such as test.cla)");
+  command
+      ->add_option("--layout", arguments->layout,
+                   "Layout: a benchmark's, folders of classes, tree, csv table, or names such as cat0.off "
+                   "(default: detected)")
       ->check(one_of(layout_names()));
   command->add_option("--split", arguments->split, "Split of the data set, for layouts that have splits")
       ->check(one_of(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))

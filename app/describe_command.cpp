@@ -56,7 +56,7 @@ void add_settings(std::string_view of, std::span<const Parameter> parameters, co
   const Json defaults = to_json(ParameterValues(parameters));
   for (const Parameter& parameter : parameters) {
     table.rows.push_back({std::string(of), prefix + std::string(parameter.name),
-                          defaults.at(std::string(parameter.name)).dump(), meaning_of(parameter, false)});
+                          defaults.at(std::string(parameter.name)).dump(), parameter_help_text(parameter, false)});
   }
 }
 
@@ -124,9 +124,9 @@ std::vector<std::string> ids_of(const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {
     paths.push_back(input.lexically_normal());
     if (known.insert(paths.back()).second) continue;
-    throw InputError(fmt::format("{} is given twice; two rows would have the same id", input.string()));
+    throw InputError(fmt::format("{} is repeated, and two rows would have the same id; omit one", input.string()));
   }
-  return distinguishing_ends(paths);
+  return distinguishing_suffixes(paths);
 }
 
 void write_features(const DescribeArguments& arguments, const std::vector<std::string>& ids,
@@ -167,7 +167,8 @@ int run(DescribeArguments& arguments) {
   if (none_left) return exit_unusable_input;
   if (needs_learning(choice.descriptor, choice.values)) learn_and_describe(choice, arguments.files, shapes);
   write_features(arguments, ids, shapes);
-  if (status != exit_success) warn(fmt::format("{} has no rows for these shapes", arguments.output.string()));
+  if (status != exit_success)
+    warn(fmt::format("{} has no rows for the shapes that could not be used", arguments.output.string()));
   return status;
 }
 
@@ -179,17 +180,16 @@ void add_describe_command(CLI::App& app, int& status) {
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n"
       "         shapegauge describe a.off b.off --descriptor bag_of_features \\\n"
       "           --set 'fields=[{\"type\": \"cone_sdf\"}]' -o features.csv\n"
-      "Shapes are scaled to unit area first. Codebooks are learnt from all inputs.\n"
-      "'distances' and 'evaluate --distance' read the features.");
+      "Shapes are scaled to unit area first. Codebooks are learnt from all inputs.");
   const auto arguments = std::make_shared<DescribeArguments>();
   add_shape_inputs(*command, arguments->files);
   command->get_option("input")->required(false);
   begin_option_group(*command, "Descriptor");
-  command->add_option("--descriptor", arguments->descriptor, "Descriptor; see --list");
+  command->add_option("--descriptor", arguments->descriptor, "Name of the descriptor, one of --list (required)");
   command->add_option("--set", arguments->settings,
                       "Setting of the descriptor, key=value as in a configuration; repeatable");
   begin_option_group(*command, output_options);
-  command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)");
+  command->add_option("-o,--output", arguments->output, "Output file (required): .npy, or .csv (with ids)");
   add_replace_option(*command, arguments->files.replace);
   add_cleaning_options(*command, arguments->cleaning);
   begin_option_group(*command, "Descriptor");

@@ -47,8 +47,8 @@ int run(const DistancesArguments& arguments) {
 void add_distances_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distances", "Compute the distance matrix of features");
   command->footer(
-      "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n         shapegauge "
-      "distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the rows.");
+      "Example: shapegauge distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the "
+      "rows.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
       ->add_option("features", arguments->features,
@@ -61,7 +61,7 @@ void add_distances_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Method");
   command
       ->add_option("--distance", arguments->distance,
-                   "Compare rows of features by this distance, or that of a descriptor")
+                   "Distance between rows of features; a descriptor's name selects its own distance")
       ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

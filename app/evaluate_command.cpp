@@ -221,7 +221,9 @@ std::vector<fs::path> matrices_of_run(const fs::path& run) {
   for (const fs::directory_entry& entry : fs::directory_iterator(run / "distances", failure)) {
     if (entry.path().extension() == ".npy") matrices.push_back(entry.path());
   }
-  if (matrices.empty()) throw InputError(fmt::format("{}: the run has no distance matrices", run.string()));
+  if (matrices.empty())
+    throw InputError(
+        fmt::format("{}: the run has no distance matrices; run it again with \"keep_distances\": true", run.string()));
   std::ranges::sort(matrices);
   return matrices;
 }
@@ -317,10 +319,11 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   command.add_option("--pr", arguments.curve,
                      "File for the precision-recall curve: .csv, or .plot in the format of psbPlot");
-  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the curves of each class");
+  command.add_option("--pr-per-class", arguments.class_curves,
+                     "CSV file for the precision-recall curves of each class");
   command
       .add_option("--curve", arguments.evaluation.curve,
-                  "Interpolation of precision-recall curves (default: that of the protocol)")
+                  "Interpolation of precision-recall curves; raw: none (default: that of the protocol)")
       ->check(one_of(list_of_words<CurveKind>()));
   command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
   command.add_flag("--each-query", arguments.each_query,
@@ -334,10 +337,10 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
                          })
       ->group("");  // not in the help
   command.add_option("--per-class", arguments.per_class, "CSV file for the scores of each class");
-  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curve: .svg, .pdf or .png");
+  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command.add_option("--plot-classes", arguments.class_plot,
                      "File for a chart of the first measure by class: .svg, .pdf or .png");
-  command.add_option("--report", arguments.report, "HTML file for a report");
+  command.add_option("--report", arguments.report, "HTML file for a report with scores and curves");
   add_replace_option(command, arguments.replace);
 }
 

@@ -20,7 +20,8 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--labels", files.labels,
                      "Classes of the models: .cla, a table (id, class, optionally subclass, split), a list (one class "
                      "per line, or .npy), or a folder of class folders");
-  command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
+  command.add_option("--targets", files.targets,
+                     "Classes of the columns (targets); --labels has those of the rows (queries)");
   command.add_flag("--shared-ids", files.shared_ids,
                    "Treat equal ids of --labels and --targets as one model, excluded from its own list");
   command.add_option("--qrels", files.qrels, "TREC relevance judgements, instead of --labels");
@@ -29,17 +30,19 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
                   "Level of the .cla hierarchy: 1: roots, 2: their children, 0: the classes themselves")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--variable", files.variable, "Name of the array to read from an .npz or .mat file");
-  command.add_option("--ids", files.ids, "File with the ids of the rows, one per line");
+  command.add_option("--variable", files.variable, "Name of the array in an .npz or .mat file (default: its only one)");
+  command.add_option("--ids", files.ids, "File with the ids of the rows, one per line, for matrices without ids");
   command
       .add_option("--order", arguments.order,
                   "Order of rows without ids: natural (2 before 10), or that of the labels' file (default: file for "
                   "lists, otherwise natural)")
       ->check(one_of({"natural", "file"}))
       ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
-  CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
+  CLI::Option* similarity =
+      command.add_flag("--similarity", files.similarity, "Read the matrix as similarities: larger is more similar");
   command
-      .add_option("--distance", files.distance, "Compare rows of features by this distance, or that of a descriptor")
+      .add_option("--distance", files.distance,
+                  "Distance between rows of features; a descriptor's name selects its own distance")
       ->check(one_of(feature_distance_names()))
       ->excludes(similarity);
 }
@@ -53,12 +56,15 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
                                .add_option("--evaluator", arguments.evaluator,
                                            "Evaluation program to reproduce: its protocol, measures and conventions")
                                ->check(one_of(evaluator_names()));
-  command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
+  command
+      .add_option("--protocol", arguments.protocol,
+                  "Query in its own list: removed (psb, trec) or first hit (paper); trec: measures of text retrieval "
+                  "(default: psb, or trec with --qrels)")
       ->check(one_of(list_of_words<Protocol>()))
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
-                                         "Treatment of queries without a ranked list; zero: they score 0")
+                                         "Queries without a ranked list are omitted (skip) or score 0 (zero)")
                              ->check(one_of(missing_queries))
                              ->capture_default_str();
   command
@@ -67,14 +73,19 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
           "Like --missing-queries zero, as trec_eval -c")
       ->excludes(missing)
       ->group("");
-  command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: mean over all orders")
+  command
+      .add_option("--ties", arguments.ties,
+                  "Order of models at equal distance: by index; relevant first (optimistic) or last (pessimistic); "
+                  "mean over all orders (expected)")
       ->check(one_of(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
   command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
       ->delimiter(',')
       ->excludes(evaluator);
-  command.add_option("--min-class-size", arguments.minimum_class_size, "Minimum class size of queries")
+  command
+      .add_option("--min-class-size", arguments.minimum_class_size,
+                  "Minimum class size; queries of smaller classes are omitted")
       ->check(within<int>(parameter_named("minimum_class_size", evaluation_table).bounds))
       ->capture_default_str()
       ->excludes(evaluator);
@@ -108,15 +119,16 @@ ScoreStyle style_of(const ScoreFormat& arguments) {
 
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
-  command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
+  command
+      .add_option("--confidence", arguments.confidence,
+                  "Confidence level of intervals (default: 0.95; evaluate: no intervals)")
       ->check(within<double>(confidence_bounds));
   command
       .add_option("--blocks", arguments.blocks,
-                  "Unit of resampling: queries (claims about these classes) or classes (claims about classes like "
-                  "these)")
+                  "Unit of resampling: queries (to generalise to other queries) or classes (to other classes)")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
-  command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
+  command.add_option("--resamples", arguments.resampling.resamples, "Number of bootstrap and randomisation resamples")
       ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
       ->capture_default_str();
   add_seed_option(command, arguments.resampling.seed);
@@ -147,7 +159,7 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   return options;
 }
 
-EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
+EvaluationFiles evaluation_files(const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   if (arguments.order == "natural") files.order = RowOrder::natural;
   if (arguments.order == "file") files.order = RowOrder::file;
@@ -161,7 +173,7 @@ std::vector<std::filesystem::path> label_files(const EvaluationArguments& argume
 }
 
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {
-  EvaluationFiles files = files_as_given(arguments);
+  EvaluationFiles files = evaluation_files(arguments);
   files.matrix = path;
   ProgressLine line;
   return evaluate_files(files, evaluation_options(arguments), [&](Eigen::Index done, Eigen::Index rows) {

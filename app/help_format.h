@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Breaks lines at blanks so that they have at most `width` characters, as far as their words permit. Lines that
+/// Breaks lines of a text at blanks so that they have at most `width` characters, except for longer words. Lines that
 /// continue an indented line or an "Example: " are indented by two more blanks.
 std::string wrapped(std::string_view text, std::size_t width);
 
@@ -17,22 +17,24 @@ std::string wrapped(std::string_view text, std::size_t width);
 /// needed most, and `--help` (AppFormatMode::All) all options.
 class HelpFormat : public CLI::Formatter {
  public:
+  /// Formats the help of a command: usage, options, subcommands, notes and examples.
   [[nodiscard]] std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  /// Formats an option or, if `is_positional`, an argument, with its description.
   [[nodiscard]] std::string make_option(const CLI::Option* option, bool is_positional) const override;
-  [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;
-  [[nodiscard]] std::string make_footer(const CLI::App* app) const override;
-  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
-  [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
+  [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;  ///< name and description
+  [[nodiscard]] std::string make_footer(const CLI::App* app) const override;  ///< notes and examples, with broken lines
+  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;  ///< type of an option's value
+  [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;  ///< description and defaults
 };
 
-/// Puts the options added to the command from now on under a heading of its --help.
+/// Starts a group of options: those that are added to the command later appear under `heading` in its --help.
 void begin_option_group(CLI::App& command, const std::string& heading);
 
 /// Headings of groups of options in --help that several commands share.
 /// @{
-inline constexpr const char* input_options = "Input";
-inline constexpr const char* output_options = "Output";
-inline constexpr const char* computation_options = "Computation";
+inline constexpr const char* input_options = "Input";              ///< heading of options on input files
+inline constexpr const char* output_options = "Output";            ///< heading of options on output files
+inline constexpr const char* computation_options = "Computation";  ///< heading of options on how results are computed
 /// @}
 
 }  // namespace shapegauge

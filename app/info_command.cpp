@@ -176,8 +176,8 @@ int run(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("info", "Report topology, components and defects of shapes");
   command->footer(
-      "Example: shapegauge info bunny.off\n         shapegauge info --format json models/*.off\nVolume and genus are "
-      "reported for closed, consistently oriented meshes only.");
+      "Example: shapegauge info bunny.off\nVolume and genus are reported for closed, consistently oriented meshes "
+      "only.");
   const auto arguments = std::make_shared<InfoArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);

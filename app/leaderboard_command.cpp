@@ -67,7 +67,7 @@ void check_leaderboard_output(const LeaderboardArguments& arguments, std::vector
 
 JudgingOptions judging_options(const LeaderboardArguments& arguments) {
   JudgingOptions options;
-  options.files = files_as_given(arguments.evaluation);
+  options.files = evaluation_files(arguments.evaluation);
   options.evaluation = evaluation_options(arguments.evaluation);
   options.standings = {.blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value(),
                        .average = Average::micro,
@@ -85,7 +85,7 @@ std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(leaderboard_csv_table(board, style));
   const std::string table = table_text(leaderboard_table(board, style), format, output_has_colours());
-  return format == TableFormat::latex ? table : table + "\n" + letter_words(options.standings) + "\n";
+  return format == TableFormat::latex ? table : table + "\n" + explain_letters(options.standings) + "\n";
 }
 
 void note_site(const fs::path& folder, const SiteUpdate& update) {
@@ -107,7 +107,7 @@ void write_outputs(const Leaderboard& board, const JudgingOptions& options, cons
 void print_remarks(std::span<const Leaderboard> boards) {
   std::vector<FileWarning> warnings;
   for (const Leaderboard& board : boards) {
-    for (const JudgedSubmission& judged : board.submissions) {
+    for (const EvaluatedSubmission& judged : board.submissions) {
       for (const std::string& text : judged.warnings) warnings.push_back({judged.submission.file.string(), text});
     }
   }
@@ -131,7 +131,7 @@ int run_on_one(const LeaderboardArguments& arguments) {
   check_leaderboard_output(arguments, label_files(arguments.evaluation));
   const JudgingOptions options = judging_options(arguments);
   const FoundSubmissions found = find_submissions(arguments.submissions, label_files(arguments.evaluation));
-  Cache cache(chosen_cache(arguments.cache));
+  Cache cache(requested_cache_folder(arguments.cache));
   Leaderboard board;
   {
     ProgressLine line;
@@ -175,11 +175,11 @@ int run_on_datasets(const LeaderboardArguments& arguments, const std::vector<Sub
   check_leaderboard_output(arguments, std::move(labels));
   JudgingOptions options = judging_options(arguments);
   options.standings.tested = !arguments.output.empty() && !is_page(arguments.output);  // only a site has each data set
-  Cache cache(chosen_cache(arguments.cache));
+  Cache cache(requested_cache_folder(arguments.cache));
   DatasetLeaderboards all;
   {
     ProgressLine line;
-    all = judge_datasets(datasets, options, cache, line.receiver());
+    all = evaluate_datasets(datasets, options, cache, line.receiver());
   }
   write_outputs_of_datasets(all, options, arguments);
   print_output("{}", formatted_datasets(all, options, arguments));
@@ -191,7 +191,7 @@ int run_leaderboard(LeaderboardArguments arguments) {
   EvaluationFiles& files = arguments.evaluation.files;
   if (!files.labels.empty() || !files.qrels.empty()) return run_on_one(arguments);
   const std::vector<SubmittedDataset> datasets =
-      find_submitted_datasets(arguments.submissions, files_as_given(arguments.evaluation));
+      find_submitted_datasets(arguments.submissions, evaluation_files(arguments.evaluation));
   files = datasets.front().files;
   return datasets.size() == 1 ? run_on_one(arguments) : run_on_datasets(arguments, datasets);
 }
@@ -199,7 +199,7 @@ int run_leaderboard(LeaderboardArguments arguments) {
 void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments) {
   begin_option_group(command, output_options);
   command.add_option("-o,--output", arguments.output,
-                     "Output: a page (.html), or a folder for a site with a page for each method");
+                     "Output: a page (.html), or a folder for a site with one page per method");
   command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
   command.add_option("--rank-by", arguments.rank_by,
                      "Measure that determines the ranks (default: mAP, or the first measure)");
@@ -216,15 +216,14 @@ void add_leaderboard_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("leaderboard", "Check, evaluate and rank submissions");
   command->footer(
       "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
-      "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
       "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
       "foo.json describes foo.npy: name, authors, paper, url, similarity, distance, ids. foo.seed1.npy, foo.seed2.npy, "
       "... (or fold) are repetitions of foo.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command
       ->add_option("submissions", arguments->submissions,
-                   "Files that 'evaluate' reads, or folders of them; without --labels and --qrels, folders of data "
-                   "sets with labels.* or qrels.*")
+                   "Distances, features or ranked lists, or folders of them; without --labels and --qrels, folders of "
+                   "data sets with labels.* or qrels.*")
       ->required();
   add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
   add_resampling_options(*command, arguments->resampling);

@@ -193,7 +193,7 @@ int run_program(std::span<const std::string> arguments) {
 
 // NOLINTNEXTLINE(bugprone-exception-escape): only without memory for the arguments
 int main(int argc, char** argv) {
-  shapegauge::hold_standard_streams();
+  shapegauge::protect_standard_streams();
   shapegauge::keep_memory();
   // A limit of the size of files gives an error where the file is written, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -23,8 +23,8 @@ struct NormalsArguments {
   CleaningArguments cleaning;
 };
 
-void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, const GivenOffset& given_offset,
-                   const Shape& given, const ShapeJob& job, Remarks& remarks) {
+void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write,
+                   const RequestedOffset& given_offset, const Shape& given, const ShapeJob& job, Remarks& remarks) {
   const Shape shape = cleaned(given, arguments.cleaning, given_offset.is_automatic(), remarks);
   const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
   const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
@@ -43,9 +43,7 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
 void add_normals_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("normals", "Estimate outward normals, robust to noise, cracks and orientation");
-  command->footer(
-      "Example: shapegauge normals scan.xyz -o scan.ply\n"
-      "         shapegauge normals scans/*.ply --output-format xyz -o normals/");
+  command->footer("Example: shapegauge normals scan.xyz -o scan.ply");
   const auto arguments = std::make_shared<NormalsArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
@@ -55,8 +53,8 @@ void add_normals_command(CLI::App& app, int& status) {
   add_offset_option(*command, arguments->offset);
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status] {
-    arguments->offset.unit_of_files = take_unit_of_files(arguments->offset.unit, arguments->files.inputs);
-    const GivenOffset given = parse_offset(arguments->offset);
+    arguments->offset.unit_of_files = set_unit_from_format(arguments->offset.unit, arguments->files.inputs);
+    const RequestedOffset given = parse_offset(arguments->offset);
     const NormalFileWriter write = normal_file_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
       write_normals(*arguments, write, given, shape, job, remarks);

@@ -49,7 +49,7 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 }
 
 void add_site_option(CLI::App& command, std::string& site) {
-  command.add_option("--at", site, "Samples of a mesh; a cloud is sampled at its points")
+  command.add_option("--at", site, "Elements of a mesh that get one result each; clouds: their points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
       ->capture_default_str();
 }
@@ -61,7 +61,7 @@ void add_up_option(CLI::App& command, std::string& up) {
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "Seed of random numbers")
+  command.add_option("--seed", seed, "Seed of random numbers; equal seeds give equal results")
       ->check([](const std::string& text) {  // else -1 is read as the largest number
         const std::optional<double> number = parse_number(text);
         const bool possible =
@@ -90,7 +90,8 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
   add_unit_option(command, arguments.unit);
   return command
       .add_option("--offset", arguments.offset,
-                  "Offset distance: a fraction of the bounding-box diagonal (0.03 or 3%), a length (0.5mm; requires "
+                  "Distance of the offset surface from the shape: a fraction of the bounding-box diagonal (0.03 or "
+                  "3%), a length (0.5mm; requires "
                   "--unit), or auto (from gaps and noise)")
       ->capture_default_str();
 }
@@ -104,23 +105,24 @@ void add_colour_options(CLI::App& command, ColourArguments& arguments) {
   command.add_option("--scale", arguments.scale, "Scale of the colour map")
       ->check(one_of({"linear", "log"}))
       ->capture_default_str();
-  command.add_option("--below", arguments.below, "Threshold, such as 2 or 2mm; thinner parts are red")
+  command
+      .add_option("--below", arguments.below, "Thickness below which parts are red, such as 2 (in file units) or 2mm")
       ->type_name("LENGTH");
 }
 
 void add_cache_option(CLI::App& command, CacheOption& option) {
   command
       .add_option("--cache", option.named,
-                  "Folder of the cache (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)")
+                  "Folder of cached results (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)")
       ->group(computation_options);
 }
 
-std::filesystem::path chosen_cache(const CacheOption& option) {
+std::filesystem::path requested_cache_folder(const CacheOption& option) {
   if (option.none) return {};
   return option.named.empty() ? default_cache_folder() : option.named;
 }
 
-bool take_unit_of_files(std::string& unit, const std::vector<std::filesystem::path>& files) {
+bool set_unit_from_format(std::string& unit, const std::vector<std::filesystem::path>& files) {
   constexpr std::string_view metres = "m";
   const auto is_gltf = [](const std::filesystem::path& file) {
     const std::string extension = lower_case(file.extension().string());
@@ -137,7 +139,7 @@ bool take_unit_of_files(std::string& unit, const std::vector<std::filesystem::pa
   return true;
 }
 
-GivenOffset parse_offset(const OffsetArguments& arguments) {
+RequestedOffset parse_offset(const OffsetArguments& arguments) {
   if (arguments.offset == "auto") return {};
   if (arguments.offset.ends_with('%')) {
     const std::optional<double> percent = parse_number(arguments.offset.substr(0, arguments.offset.size() - 1));
@@ -166,10 +168,10 @@ GivenOffset parse_offset(const OffsetArguments& arguments) {
   return {.fraction = length->value};
 }
 
-std::optional<double> GivenOffset::fraction_of(const Shape& shape) const {
+std::optional<double> RequestedOffset::fraction_of(const Shape& shape) const {
   if (!length) return fraction;
   const double diagonal = bounding_box_diagonal(shape);
-  if (!(diagonal > 0)) throw InputError("the shape has no extent");
+  if (!(diagonal > 0)) throw InputError("the shape has no extent: its points all coincide");
   require_in_bounds("--offset, as a fraction of the shape's diagonal,", *length / diagonal,
                     OffsetSdfOptions::offset_bounds);
   return *length / diagonal;
@@ -195,8 +197,10 @@ ColourChoice parse_colours(const ColourArguments& arguments, const std::string& 
   }
   const Interval range{parse_length_option("--range", arguments.range.substr(0, comma), unit),
                        parse_length_option("--range", arguments.range.substr(comma + 1), unit)};
-  if (!(range.low < range.high)) throw InputError("--range: the first length must be less than the second");
-  if (choice.logarithmic && !(range.low > 0)) throw InputError("--range: with --scale log it must begin above 0");
+  if (!(range.low < range.high))
+    throw InputError(fmt::format("--range is {}; its first length must be less than the second", arguments.range));
+  if (choice.logarithmic && !(range.low > 0))
+    throw InputError(fmt::format("--range is {}; with --scale log it must begin above 0", arguments.range));
   choice.range = range;
   return choice;
 }
@@ -209,7 +213,7 @@ void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks
 
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
   if (const std::string reasons = reasons_for_offset(chosen); !reasons.empty()) {
-    remarks.notes.push_back(fmt::format("offset {:.4g} chosen ({})", chosen.offset, reasons));
+    remarks.notes.push_back(fmt::format("offset: {:.4g} % of the diagonal ({})", 100 * chosen.offset, reasons));
   }
   if (const auto leak = leak_warning(chosen)) remarks.warnings.push_back(*leak);
 }
@@ -234,7 +238,7 @@ Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, R
     shape = without_outliers(std::move(shape));
     if (const Eigen::Index count = points - shape.vertices.rows(); count > 0) {
       remarks.notes.push_back(outlier_text(static_cast<std::size_t>(count), points) +
-                              "; results are those of the others, numbered without them");
+                              "; results are for the other points, numbered without the outliers");
     }
   } else if (const auto warning = outlier_warning(shape)) {
     remarks.warnings.push_back(*warning);

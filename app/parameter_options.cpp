@@ -44,7 +44,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
           std::move(description)};
 }
 
-std::string meaning_of(const Parameter& parameter, bool with_default) {
+std::string parameter_help_text(const Parameter& parameter, bool with_default) {
   if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);
   with_default &= !parameter.required();
   const std::string usual = with_default ? "; default: " + to_string(parameter.default_value) : "";
@@ -56,7 +56,7 @@ std::string meaning_of(const Parameter& parameter, bool with_default) {
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names, std::string meaning) {
   if (names.empty()) names = option_name(parameter.name);
-  if (meaning.empty()) meaning = meaning_of(parameter);
+  if (meaning.empty()) meaning = parameter_help_text(parameter);
   const auto fill_in = [&given] { given.text = "true"; };
   CLI::Option* const option = parameter.kind == ParameterKind::boolean
                                   ? command.add_flag_callback(names, fill_in, meaning)
@@ -77,7 +77,8 @@ ParameterValues parameter_values(std::span<const Parameter> parameters, const Pa
   for (const auto& [name, value] : given) {
     if (value.text.empty()) continue;
     const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
-    if (parameter == parameters.end()) throw InputError(fmt::format("{} does not apply to {}", value.option, subject));
+    if (parameter == parameters.end())
+      throw InputError(fmt::format("{} does not apply to {}; omit it", value.option, subject));
     Parameter of_option = *parameter;
     of_option.name = value.option;
     values.set(name, parse_value(of_option, value.text));

@@ -16,17 +16,17 @@
 /// values and defaults.
 namespace shapegauge {
 
-/// Text given for the option of a parameter.
+/// Unparsed value of a command-line option that sets a Parameter.
 struct ParameterText {
   std::string option;  ///< name of the option in messages
-  std::string text;    ///< value as text; empty if not given
+  std::string text;    ///< value as text; empty if the option was not given
 };
 
-/// Texts of options by the parameter's name. Adding entries does not invalidate references to others.
+/// Unparsed values of options by parameter name. Adding one does not invalidate references to others.
 using ParameterTexts = std::map<std::string, ParameterText, std::less<>>;
 
 /// Returns the parameter's meaning and valid values, for --help; with its default if `with_default`.
-std::string meaning_of(const Parameter& parameter, bool with_default = true);
+std::string parameter_help_text(const Parameter& parameter, bool with_default = true);
 
 /// Returns a sentence without its full stop, as --help prints descriptions of registry entries.
 std::string without_full_stop(std::string_view sentence);
@@ -45,13 +45,15 @@ CLI::Validator within(const Bounds& bounds) {
 /// Returns a validator that an option's value is one of the words. Its error message suggests the most similar word.
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// Adds an option, or a flag for a boolean, that fills `given`. `names` has CLI11's syntax; if empty, the name is `--`
-/// and the parameter's name. `meaning` is the help text; if empty, meaning_of().
+/// Adds an option for a parameter, or a flag for a boolean one, which stores its text in `given`. `names` has CLI11's
+/// syntax; if empty, the name is `--` and the parameter's name. `meaning` is the help text; if empty,
+/// parameter_help_text().
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names = {}, std::string meaning = {});
 
-/// Parses the texts of options, with defaults for parameters without a text. `subject` follows "applies to" in
-/// messages. Throws InputError for an invalid text, and for an option whose parameter is not in the list.
+/// Parses the texts of options to values of `parameters`, with defaults for those without a text. `subject` follows
+/// "applies to" in messages. Throws InputError for an invalid text, and for an option whose parameter is not in
+/// `parameters`.
 ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
                                  std::string_view subject);
 

@@ -81,7 +81,7 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
     const std::string made = i == 0 ? type_option : option_name(fmt::format("{}_{}", options.type, parameter.name));
     const std::string name = i < options.names.size() ? std::string(options.names[i]) : made;
     const std::string meaning =
-        i == 0 ? fmt::format("{} {}", step.kind->description, meaning_of(parameter, false)) : "";
+        i == 0 ? fmt::format("{} {}", step.kind->description, parameter_help_text(parameter, false)) : "";
     CLI::Option* const option =
         add_parameter_option(command, parameter, step.settings[std::string(parameter.name)], name, meaning);
     if (first == nullptr)
@@ -102,15 +102,9 @@ std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
   return steps;
 }
 
-/// Writes the result of a job. In OFF and OBJ files, the comment of the input on its axis (up_axis.h) is kept.
+/// Writes the result of a job, with the comment of the input on its axis (up_axis.h).
 void write_result(ShapeWriter write, const ShapeJob& job, const Shape& shape, Remarks& remarks) {
-  const std::string up = stated_up(job.input);
-  if (write == off_format().write)
-    write_off(job.output, shape, up);
-  else if (write == obj_format().write)
-    write_obj(job.output, shape, up);
-  else
-    write(job.output, shape);
+  write(job.output, shape, read_up_comment(job.input));
   if (const auto warning = precision_warning(job.output, shape)) remarks.warnings.push_back(*warning);
 }
 

@@ -111,8 +111,13 @@ void add_settings(CLI::App& command, RerankArguments& arguments) {
   for (const RerankMethod& method : rerank_methods().entries()) {
     for (const Parameter& parameter : method.parameters) {
       auto& [any, meanings] = options[parameter.name];
+      const bool has_same_values = any != nullptr && legal_values(*any) == legal_values(parameter);
       any = &parameter;
-      meanings += fmt::format("{}{}: {}", meanings.empty() ? "" : "; ", method.name, meaning_of(parameter));
+      const std::string meaning = has_same_values
+                                      ? fmt::format("{} (default: {})", without_full_stop(parameter.description),
+                                                    to_string(parameter.default_value))
+                                      : parameter_help_text(parameter);
+      meanings += fmt::format("{}{}: {}", meanings.empty() ? "" : "; ", method.name, meaning);
     }
   }
   for (const auto& [name, option] : options) {
@@ -125,9 +130,8 @@ void add_settings(CLI::App& command, RerankArguments& arguments) {
 void add_rerank_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("rerank", "Re-rank distances, unsupervised, using the whole collection");
   command->footer(
-      "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n         shapegauge rerank "
-      "distances.npy -o better.npy --neighbours auto\nDiffusion of more than "
-      "5,000 models uses the sparse solver; .npy (C order) and .matrix files then need not fit into memory.");
+      "Example: shapegauge rerank distances.npy -o better.npy --neighbours auto\nThe sparse solver reads .npy (C "
+      "order) and .matrix files that do not fit into memory.");
   const auto arguments = std::make_shared<RerankArguments>();
   command
       ->add_option("distances", arguments->distances,
@@ -137,11 +141,14 @@ void add_rerank_command(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
-  command->add_option("--method", arguments->method, "Re-ranking method")
+  command
+      ->add_option("--method", arguments->method,
+                   "diffusion: random walks; k_reciprocal: mutual neighbours; query_expansion: means of nearest rows")
       ->check(one_of(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
-  command->add_flag("--sparse", arguments->sparse, "Use the sparse solver for any number of models");
+  command->add_flag("--sparse", arguments->sparse,
+                    "diffusion: use the sparse solver (less memory) for 5,000 models or fewer too");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
 }

@@ -79,7 +79,7 @@ RequestedRun requested_run(const RunSource& source) {
     request.files.push_back(source.replay);
     return request;
   }
-  if (source.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
+  if (source.configuration.empty()) throw InputError("a configuration file is required; see 'shapegauge run --help'");
   if (!source.dataset_root.empty()) {
     throw InputError("--dataset-root requires --replay; for a configuration, use --set dataset.root=FOLDER");
   }
@@ -135,7 +135,8 @@ fs::path result_folder(const RunArguments& arguments, const std::string& name) {
 
 /// Opens the requested cache. A replay does not read from it.
 std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
-  return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
+  return std::make_unique<Cache>(requested_cache_folder(arguments.cache),
+                                 arguments.force || !arguments.source.replay.empty());
 }
 
 RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
@@ -179,7 +180,7 @@ int report_run(const RunOutcome& outcome, const RunArguments& arguments, const R
     write_drawing(arguments.plot, curves_plot(read_curves(folder / curves_name)));
   }
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed, report_flaws(outcome));
+  return std::max(replayed, report_run_problems(outcome));
 }
 
 /// Prints what a part has done; returns the exit status. Omitted shapes are for the run to report.
@@ -226,7 +227,7 @@ int run(const RunArguments& arguments) {
       return run_part(experiment, *part, folder, control, cache);
     });
     progress.clear();
-    return report_part(outcome, *part, chosen_cache(arguments.cache));
+    return report_part(outcome, *part, requested_cache_folder(arguments.cache));
   }
   const RunOutcome outcome = with_cache(arguments, progress, [&](Cache& cache, const RunControl& control) {
     return run_into_folder(experiment, folder, arguments.replace || arguments.force, control, cache);
@@ -238,9 +239,10 @@ int run(const RunArguments& arguments) {
 /// Adds the options of the cache and of parts; returns --part. A chart is drawn by the whole run.
 CLI::Option* add_cache_and_part(CLI::App& command, RunArguments& arguments, CLI::Option* plot) {
   add_cache_option(command, arguments.cache);
-  CLI::Option* const no_cache = command.add_flag("--no-cache", arguments.cache.none, "Do not use a cache")
-                                    ->excludes("--cache")
-                                    ->group(computation_options);
+  CLI::Option* const no_cache =
+      command.add_flag("--no-cache", arguments.cache.none, "Neither read nor write cached results")
+          ->excludes("--cache")
+          ->group(computation_options);
   return add_part_option(command, arguments.part,
                          "Compute only part K/N of the work, into the cache; auto: from Slurm or mpirun")
       ->excludes(no_cache)
@@ -253,13 +255,12 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run an experiment from its configuration");
   command->footer(
       "Example: shapegauge run configs/quickstart.json\n"
-      "         shapegauge run methods.json --set signatures.0.histogram.bins=40\n"
       "An interrupted run continues from the cache. After all parts of --part, a run without it writes the "
       "results.\n--replay writes to results/NAME-replay or --output, without the cache, and compares the outputs.");
   const auto arguments = std::make_shared<RunArguments>();
   begin_option_group(*command, input_options);
-  CLI::Option* configuration =
-      command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
+  CLI::Option* configuration = command->add_option("configuration", arguments->source.configuration,
+                                                   "Configuration file (JSON); required without --replay");
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Folder for the results (default: results/<name>)");
   add_threads_option(*command, arguments->threads);
@@ -272,18 +273,21 @@ void add_run_command(CLI::App& app, int& status) {
   begin_option_group(*command, output_options);
   CLI::Option* const plot = command->add_option("--plot", arguments->plot,
                                                 "File for a chart of the precision-recall curves: .svg, .pdf or .png");
-  command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
+  command->add_flag("--replace", arguments->replace,
+                    "Overwrite --plot, and results of another configuration in the folder (default: stop)");
   command->add_flag("--force", arguments->force, "Like --replace, and compute everything again");
   CLI::Option* const part = add_cache_and_part(*command, *arguments, plot);
   begin_option_group(*command, "Without a run");
-  command->add_flag("--dry-run", arguments->dry_run, "Check the configuration and read all inputs only");
+  command->add_flag("--dry-run", arguments->dry_run, "Check the configuration, read all inputs, and exit");
   command->add_flag("--print-config", arguments->print_configuration,
-                    "Print the configuration with all defaults and --set");
+                    "Print the configuration with defaults and --set, and exit");
   begin_option_group(*command, "Replay");
-  command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
+  command
+      ->add_option("--replay", arguments->source.replay, "manifest.json of a run to repeat, instead of a configuration")
       ->excludes(configuration)
       ->excludes(part);
-  command->add_option("--dataset-root", arguments->source.dataset_root, "Folder of the data set, for --replay");
+  command->add_option("--dataset-root", arguments->source.dataset_root,
+                      "Folder of the data set for --replay (default: as recorded)");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

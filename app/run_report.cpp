@@ -77,7 +77,7 @@ std::string cache_text(const CacheReport& cache) {
   return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
 }
 
-int report_flaws(const RunOutcome& outcome) {
+int report_run_problems(const RunOutcome& outcome) {
   for (const std::string& text : outcome.notes) note(text);
   for (const std::string& warning : outcome.warnings) warn(warning);
   for (const LeftOutShape& one : outcome.left_out) {

@@ -156,7 +156,7 @@ struct Computed {
   FieldValues field;
 };
 
-Computed compute(const SdfArguments& arguments, const GivenOffset& given_offset, const Shape& shape) {
+Computed compute(const SdfArguments& arguments, const RequestedOffset& given_offset, const Shape& shape) {
   Computed computed;
   if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset.fraction_of(shape), shape);
   const Field field = wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
@@ -182,7 +182,7 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
     for (const Parameter& parameter : method.parameters) {
       if (parameter.name == "offset") continue;
       add_parameter_option(command, parameter, arguments.settings[std::string(parameter.name)], "",
-                           fmt::format("{}: {}", method.name, meaning_of(parameter)));
+                           fmt::format("{}: {}", method.name, parameter_help_text(parameter)));
     }
   }
 }
@@ -274,7 +274,7 @@ void check_outputs(SdfArguments& arguments) {
     throw InputError("--timings requires a single shape");
   }
   if (arguments.summary && is_standard_stream(arguments.files.output)) {
-    throw InputError("--summary and --output would both be written to standard output");
+    throw InputError("--summary and --output would both be written to standard output; name a file for --output");
   }
   if (!arguments.plot.empty()) check_drawing_file(arguments.plot);
   arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}},
@@ -283,9 +283,9 @@ void check_outputs(SdfArguments& arguments) {
 
 int run(SdfArguments& arguments) {
   check_outputs(arguments);
-  arguments.offset.unit_of_files = take_unit_of_files(arguments.offset.unit, arguments.files.inputs);
+  arguments.offset.unit_of_files = set_unit_from_format(arguments.offset.unit, arguments.files.inputs);
   const FieldPicture picture = picture_of(arguments);
-  const GivenOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : GivenOffset{};
+  const RequestedOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : RequestedOffset{};
   wanted_field(arguments, given_offset.fraction);  // reports wrong settings before any file is read
   const fs::path name = arguments.files.output.empty() ? fs::path() : output_name(arguments.files);
   if (!name.empty()) (void)field_file_writer(name);  // reports a wrong extension
@@ -327,9 +327,8 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge sdf bunny.off\n"
       "         shapegauge sdf bunny.off --offset 3% -o bunny.ply\n"
-      "         shapegauge sdf models/ --method cone_sdf -o sdf/\n"
       "         shapegauge sdf bracket.stl --method inscribed_ball --unit mm --summary --below 2mm\n"
-      "Values are in the units of the files.");
+      "Values are in file units.");
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, "Method");

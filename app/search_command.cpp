@@ -61,7 +61,7 @@ SearchMethod chosen_method(const SearchArguments& arguments) {
 class SearchRun {
  public:
   explicit SearchRun(const SearchArguments& arguments)
-      : arguments_(&arguments), collection_(arguments.paths.back()), cache_(chosen_cache(arguments.cache)) {
+      : arguments_(&arguments), collection_(arguments.paths.back()), cache_(requested_cache_folder(arguments.cache)) {
     for (std::size_t i = 0; i + 1 < arguments.paths.size(); ++i) {
       queries_.push_back({.name = arguments.paths[i].string(), .file = arguments.paths[i]});
     }
@@ -100,7 +100,8 @@ class SearchRun {
   }
 
   void check_outputs() const {
-    if (!arguments_->page.empty() && queries_.empty()) throw InputError("--output requires queries");
+    if (!arguments_->page.empty() && queries_.empty())
+      throw InputError("--output requires queries: name their files before the collection");
     std::vector<fs::path> inputs{arguments_->paths.begin(), arguments_->paths.end()};
     inputs.push_back(arguments_->method);
     const std::vector<OutputFile> outputs{
@@ -112,7 +113,7 @@ class SearchRun {
   void open() {
     SearchMethod method = chosen_method(*arguments_);
     if (arguments_->no_update) {
-      index_ = open_index_as_it_is(std::move(method), collection_, index_file());
+      index_ = open_index_without_update(std::move(method), collection_, index_file());
     } else {
       index_ = open_index(std::move(method), collection_, index_file(), control(), cache_, update_);
     }
@@ -220,14 +221,14 @@ class SearchRun {
 };
 
 void add_method_options(CLI::App& command, SearchArguments& arguments) {
-  CLI::Option* articulated =
-      command.add_flag("--articulated", arguments.articulated, "Use the recommended method for articulated shapes");
+  CLI::Option* articulated = command.add_flag("--articulated", arguments.articulated,
+                                              "Ignore poses: use the recommended method for articulated shapes");
   for (CLI::Option* option :
        {command.add_option("--method", arguments.method)->group(""),  // the older name
         command.add_option("--configuration", arguments.method,
-                           "Retrieval configuration with the method (default: the recommended method)"),
+                           "Configuration file with the method (default: the recommended method)"),
         command.add_option("--signature", arguments.signature,
-                           "Signature of the --configuration (default: its last suitable one)"),
+                           "Name of a signature in --configuration (default: its last suitable one)"),
         command.add_option("--set", arguments.settings,
                            "Override a value of the --configuration, key=value; repeatable")}) {
     articulated->excludes(option);
@@ -240,7 +241,6 @@ void add_search_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("search", "Search a collection for similar shapes");
   command->footer(
       "Example: shapegauge search chair.obj models/\n"
-      "         shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
       "         shapegauge search models/                (only builds the index)\n"
       "Distances are comparable only within one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
@@ -253,14 +253,14 @@ void add_search_command(CLI::App& app, int& status) {
   command->add_option("-k,--count", arguments->count, "Number of results per query")
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
-  command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
+  command->add_flag("--rerank", arguments->rerank, "Re-rank results by diffusion over the collection's distances");
   add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_up_option(*command, arguments->up);
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
-  command->add_flag("--no-update", arguments->no_update, "Use the index without checking the files");
+  command->add_flag("--no-update", arguments->no_update, "Use the index without checking for changed files");
   add_method_options(*command, *arguments);
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);

@@ -90,7 +90,7 @@ bool uses_offset(const SegmentationOptions& options) {
 
 void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
              const ShapeJob& job, Remarks& remarks) {
-  const GivenOffset offset = parse_offset(arguments.offset);
+  const RequestedOffset offset = parse_offset(arguments.offset);
   const Shape shape = cleaned(given, arguments.cleaning, uses_offset(options) && offset.is_automatic(), remarks);
   if (uses_offset(options)) {
     const ChosenOffset chosen = choose_offset(offset.fraction_of(shape), shape);
@@ -105,7 +105,12 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
     remarks.notes.push_back(
         *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
   }
-  const std::string parts = count_text(*std::ranges::max_element(labels) + 1, "part", "parts");
+  const std::int32_t count = *std::ranges::max_element(labels) + 1;
+  if (options.best.parts > 0 && count > options.best.parts && options.method == SegmentationAlgorithm::best) {
+    remarks.warnings.push_back(
+        fmt::format("{} parts instead of {}: unconnected components are different parts", count, options.best.parts));
+  }
+  const std::string parts = count_text(count, "part", "parts");
   const bool is_streamed = is_standard_stream(arguments.files.output);
   remarks.notes.push_back(is_streamed ? parts : fmt::format("{} in {}", parts, job.output.lexically_normal().string()));
 }
@@ -115,8 +120,7 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
 void add_segment_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("segment", "Segment shapes into parts");
   command->footer(
-      "Example: shapegauge segment hand.off\n"
-      "         shapegauge segment hand.off -o hand.png\n"
+      "Example: shapegauge segment hand.off -o hand.png\n"
       "         shapegauge segment models/ -o segments/\n"
       "Without -o, the result is hand.seg in the working folder.");
   const auto arguments = std::make_shared<SegmentArguments>();
@@ -126,7 +130,9 @@ void add_segment_command(CLI::App& app, int& status) {
       ->required(false);
   add_up_option(*command, arguments->up);
   begin_option_group(*command, "Method");
-  command->add_option("--method", arguments->method, "best: semantic parts; paper: clusters of patches by their SDF")
+  command
+      ->add_option("--method", arguments->method,
+                   "best: semantic parts; paper: clusters of patches of similar thickness")
       ->check(one_of(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
   for (const Parameter& parameter : parameters) {
@@ -143,7 +149,7 @@ void add_segment_command(CLI::App& app, int& status) {
     if (options.method != SegmentationAlgorithm::paper && offset->count() > 0) {
       throw InputError("--offset requires --method paper");
     }
-    arguments->offset.unit_of_files = take_unit_of_files(arguments->offset.unit, arguments->files.inputs);
+    arguments->offset.unit_of_files = set_unit_from_format(arguments->offset.unit, arguments->files.inputs);
     const LabelWriter write = label_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
       segment(*arguments, options, write, shape, job, remarks);

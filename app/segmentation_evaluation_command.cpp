@@ -112,7 +112,8 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "--benchmark psb/\nThe row \"people\" compares human segmentations with "
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
-  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder per method");
+  command->add_option("segmentations", arguments->folders,
+                      "Folders with N.seg for every mesh, one per method (default: only people)");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,

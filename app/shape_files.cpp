@@ -158,7 +158,9 @@ CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::
           .add_option("-o,--output", files.output,
                       "Output file: " + description + "; a folder for several inputs; - for standard output")
           ->required();
-  command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
+  command
+      .add_option("--output-format", files.output_format,
+                  "Format of results in a folder or on standard output; see --output")
       ->capture_default_str();
   command.add_flag("--replace", files.replace, "Overwrite existing files");
   return output;

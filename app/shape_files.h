@@ -23,31 +23,32 @@ namespace shapegauge {
 /// Input and output files of a command that processes shapes.
 struct ShapeFiles {
   std::vector<std::filesystem::path> inputs = {};  ///< paths of the shapes; "-" for standard input
-  std::string input_format = {};                   ///< extension without the dot; if empty, found by name and content
+  std::string input_format = {};                   ///< format, an extension without dot; empty: from name or content
   std::filesystem::path output = {};  ///< file, folder or "-" (standard output); empty for a command without output
   std::string output_format = {};     ///< extension of outputs without the dot, for folders and "-"
-  bool replace = false;               ///< true to allow that outputs exist, or replace inputs
+  bool replace = false;               ///< true to allow overwriting existing files, including the inputs
   std::vector<OutputFile> others{};   ///< further outputs of the command, checked together with the shapes' outputs
-  int threads = 0;
+  int threads = 0;                    ///< number of threads; 0 for all cores
 };
 
-/// Adds the inputs (folders are replaced by the shapes in them), --input-format and --threads.
+/// Adds the positional argument for the input files (a folder stands for the shapes in it), --input-format and
+/// --threads.
 void add_shape_inputs(CLI::App& command, ShapeFiles& files);
 
 /// Adds -o, --output-format and --replace. `description` lists the formats; the default format is the value of
 /// `files.output_format`. Returns -o, which is required.
 CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description);
 
-/// Returns a file name with the extension of the outputs, to select the writer before anything is read.
+/// Returns a file name with the extension of the command's outputs, to select a writer by it before inputs are read.
 std::filesystem::path output_name(const ShapeFiles& files);
 
 /// Remarks on one shape, as sentences without the file's name.
 struct Remarks {
-  std::vector<std::string> notes;
-  std::vector<std::string> warnings;
+  std::vector<std::string> notes;     ///< information; not printed with --quiet
+  std::vector<std::string> warnings;  ///< possible problems of the result
 };
 
-/// Adds a note if values are per triangle although the faces in the shape's file are polygons.
+/// Adds a note if values at `site` are per triangle although the faces in the shape's file are polygons.
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks);
 
 /// Input shape of a command and the destination of its result.

@@ -13,7 +13,7 @@
 
 namespace shapegauge {
 
-void hold_standard_streams() {
+void protect_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
     // The lowest free descriptor is that of the stream. Opened for the wrong direction, its use stays an error.
@@ -25,7 +25,7 @@ std::string read_standard_input() {
   std::string bytes;
   std::array<char, 1 << 16> piece = {};
   while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), stdin)) bytes.append(piece.data(), size);
-  if (bytes.empty()) throw InputError("standard input is empty");
+  if (bytes.empty()) throw InputError("standard input is empty; check the command that writes to it");
   return bytes;
 }
 

@@ -11,14 +11,14 @@
 
 namespace shapegauge {
 
-/// Opens an unusable file for each closed standard stream. Otherwise the next file to be opened would get its
-/// descriptor, and messages would be written into results. Call at start-up.
-void hold_standard_streams();
+/// Opens /dev/null for each closed standard stream, in the opposite direction, so that using it fails. Otherwise the
+/// next opened file would get the stream's descriptor, and messages would be written into results. Call at start-up.
+void protect_standard_streams();
 
 /// Reads all of standard input. Throws InputError if it is empty.
 std::string read_standard_input();
 
-/// Writes to standard output. Throws InputError if the output is incomplete.
+/// Writes all bytes to standard output. Throws InputError if not all of them can be written.
 void write_standard_output(std::string_view bytes);
 
 /// Temporary folder that exists for the lifetime of the object, for readers and writers that need a file name.
@@ -26,16 +26,17 @@ class ScratchFolder {
  public:
   /// Creates the folder. Throws InputError if it cannot be created.
   ScratchFolder();
-  ~ScratchFolder();
+  ~ScratchFolder();  ///< removes the folder with its contents
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   ScratchFolder(ScratchFolder&&) = delete;
   ScratchFolder& operator=(ScratchFolder&&) = delete;
 
+  /// Returns the path of the temporary folder.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_;  ///< path of the temporary folder
 };
 
 }  // namespace shapegauge

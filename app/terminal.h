@@ -16,6 +16,7 @@
 
 namespace shapegauge {
 
+/// Level of detail of the messages on standard error.
 enum class Verbosity {
   quiet,   ///< warnings and errors only (-q)
   normal,  ///< warnings, errors, notes and progress
@@ -41,7 +42,7 @@ std::size_t terminal_width();
 
 /// Sets which messages are printed; Verbosity::normal by default.
 void set_verbosity(Verbosity verbosity);
-Verbosity verbosity();
+Verbosity verbosity();  ///< returns which messages are printed
 
 /// Writes formatted text to standard output; output_error() reports failures.
 template <typename... Values>
@@ -49,13 +50,13 @@ void print_output(fmt::format_string<Values...> format, Values&&... values) {
   write_output(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Returns the option for a setting, such as "--on-error" for "on_error".
+/// Returns the command-line option for a setting of a configuration, such as "--on-error" for "on_error".
 std::string option_name(std::string_view setting);
 
 /// Replaces settings in backquotes in a message, such as `replace=true`, by options, such as --replace.
 std::string with_options(std::string_view message);
 
-/// Prints "shapegauge: error: <text>" on standard error, always as one line, with settings as with_options().
+/// Prints "shapegauge: error: <text>" on standard error, always as one line, with settings spelled by with_options().
 void print_error(std::string text);
 
 /// Prints "shapegauge: <text>" on standard error unless the verbosity is quiet.
@@ -74,7 +75,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Updates the progress of a stage; redraws a few times a second.
+  /// Shows that `done` of `total` items of a stage of the work, such as "signatures", are complete; redraws a few times
+  /// a second.
   void show(std::string_view stage, std::size_t done, std::size_t total);
 
   /// Returns a progress callback that calls show() of this line, which must outlive the callback.
@@ -85,21 +87,21 @@ class ProgressLine {
   void clear();
 
  private:
-  bool shown_;
-  std::string stage_;
-  std::chrono::steady_clock::time_point stage_start_;
-  std::chrono::steady_clock::time_point last_drawn_;
+  bool shown_;                                         ///< true if standard error shows progress
+  std::string stage_;                                  ///< name of the current stage; empty before the first
+  std::chrono::steady_clock::time_point stage_start_;  ///< time when the current stage began
+  std::chrono::steady_clock::time_point last_drawn_;   ///< time when the line was last drawn
 };
 
-/// Formats a progress line: "signatures 120/600  3.4/s  2:21 left". Rate and remaining time appear once something is
-/// done.
+/// Formats a progress line for `done` of `total` items: "signatures 120/600  3.4/s  2:21 left". `seconds` is the time
+/// since the stage began. Rate and remaining time appear once an item is done.
 std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds);
 
 /// Activity line on a terminal for a job without countable parts: its name and elapsed time, from two seconds on.
 /// Cleared on destruction.
 class BusyLine {
  public:
-  explicit BusyLine(std::string what);
+  explicit BusyLine(std::string what);  ///< starts the line of the job named `what`
   ~BusyLine();
   BusyLine(const BusyLine&) = delete;
   BusyLine& operator=(const BusyLine&) = delete;
@@ -107,10 +109,10 @@ class BusyLine {
   BusyLine& operator=(BusyLine&&) = delete;
 
  private:
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool end_ = false;
-  std::thread thread_;  ///< draws the line; not started if nothing is shown
+  std::mutex mutex_;               ///< guards end_
+  std::condition_variable ended_;  ///< signalled when end_ becomes true
+  bool end_ = false;               ///< true when the line is to be cleared
+  std::thread thread_;             ///< draws the line; not started if standard error is not a terminal
 };
 
 }  // namespace shapegauge

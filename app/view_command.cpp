@@ -101,7 +101,7 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
   for (const std::string& text : arguments.fields) {
     WantedField field = wanted_field(text);
     if (std::ranges::find(fields, field.settings, &WantedField::settings) != fields.end()) {
-      throw InputError(fmt::format("--field {} is given twice", text));
+      throw InputError(fmt::format("--field {} is repeated; omit one", text));
     }
     fields.push_back(std::move(field));
   }
@@ -112,8 +112,8 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
 }
 
 /// Adds a field to the view, with the normals of the first one that estimates them.
-void add_field(const WantedField& wanted, const GivenOffset& offset, const ColourChoice& colours, FieldSource& source,
-               const Samples& samples, ShapeView& view, Remarks& remarks) {
+void add_field(const WantedField& wanted, const RequestedOffset& offset, const ColourChoice& colours,
+               FieldSource& source, const Samples& samples, ShapeView& view, Remarks& remarks) {
   FieldSettings settings = wanted.settings;
   if (wanted.chooses_offset) {
     const ChosenOffset chosen = choose_offset(offset.fraction_of(source.shape()), source.shape());
@@ -153,15 +153,17 @@ void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   }
 }
 
-ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields, const GivenOffset& offset,
-                   const ColourChoice& colours, const Shape& given, const ShapeJob& job, Remarks& remarks) {
+ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields,
+                   const RequestedOffset& offset, const ColourChoice& colours, const Shape& given, const ShapeJob& job,
+                   Remarks& remarks) {
   const bool automatic = offset.is_automatic() && std::ranges::any_of(fields, &WantedField::chooses_offset);
   ShapeView view{.name = fs::path(job.input).filename().string(),
                  .shape = cleaned(given, arguments.cleaning, automatic, remarks)};
   const bool cloud = is_cloud(view.shape);
   view.up = up_direction(value_of_word<UpAxis>(arguments.up).value(), job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
-  if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent; nothing to show");
+  if (!(bounding_box_diagonal(view.shape) > 0))
+    throw InputError("nothing to show: the points of the shape all coincide");
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
   for (const WantedField& field : fields) {
@@ -205,8 +207,8 @@ int run(ViewArguments& arguments, bool offset_given) {
   const bool is_named = !arguments.output.empty();
   arguments.output = page_of(arguments);
   const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
-  arguments.offset.unit_of_files = take_unit_of_files(arguments.offset.unit, arguments.files.inputs);
-  const GivenOffset offset = parse_offset(arguments.offset);
+  arguments.offset.unit_of_files = set_unit_from_format(arguments.offset.unit, arguments.files.inputs);
+  const RequestedOffset offset = parse_offset(arguments.offset);
   const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
   arguments.files.others = {{.path = arguments.output, .what = "--output", .takes_stream = true}};
   std::vector<std::optional<ShapeView>> views(arguments.files.inputs.size());
@@ -234,7 +236,8 @@ int run(ViewArguments& arguments, bool offset_given) {
   else
     write_file_atomically(arguments.output, html);
   if (!is_named) note(fmt::format("page: {}", arguments.output.string()));
-  if (status != exit_success) warn(fmt::format("{} does not show these shapes", arguments.output.string()));
+  if (status != exit_success)
+    warn(fmt::format("{} does not show the shapes that could not be used", arguments.output.string()));
   return status;
 }
 
@@ -244,9 +247,8 @@ void add_view_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("view", "Write a page with interactive 3D views of shapes, coloured by fields");
   command->footer(
-      "Example: shapegauge view hand.off\n         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o "
-      "three.html\n         shapegauge view hand.off --field offset_sdf,offset=0.01 --field heat_kernel,time=0.05 -o "
-      "hand.html\nThe page is one self-contained file. Values are in the units of the files.");
+      "Example: shapegauge view hand.off\n"
+      "The page is one file. Values are in file units.");
   const auto arguments = std::make_shared<ViewArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
@@ -260,9 +262,10 @@ void add_view_command(CLI::App& app, int& status) {
                    "(default: offset_sdf and, for meshes, cone_sdf)")
       ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
-  CLI::Option* parts = command->add_option("--parts", arguments->parts, "Number of parts; 0 for automatic")
-                           ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
-                           ->capture_default_str();
+  CLI::Option* parts =
+      command->add_option("--parts", arguments->parts, "Number of parts of the segmentation; 0 for automatic")
+          ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
+          ->capture_default_str();
   command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);
   begin_option_group(*command, "Display");
   command

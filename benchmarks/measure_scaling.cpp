@@ -76,7 +76,7 @@ void measure(std::size_t models, int bins, const Part& part) {
     const auto visit = [&](const RowVisitor& judge) {
       visit_distances(distances().at("l1"), signatures, range, judge);
     };
-    (void)judge_rows(task, evaluations, range, visit, evaluating);
+    (void)evaluate_row_range(task, evaluations, range, visit, evaluating);
     rows += range.last - range.first;
   }
   const nlohmann::ordered_json json{{"models", models},

@@ -61,7 +61,7 @@ CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
   }
   for (DistanceMatrix& at_ranks : sum.at_ranks) {
     const DistanceMatrix few = at_ranks;
-    at_ranks = DistanceMatrix::Constant(models, count_of_ranks(models), std::numeric_limits<double>::infinity());
+    at_ranks = DistanceMatrix::Constant(models, sampled_rank_count(models), std::numeric_limits<double>::infinity());
     for (Eigen::Index i = 0; i < models; ++i) at_ranks.row(i).head(few.cols()) = few.row(i % few.rows());
   }
   return sum;
@@ -143,7 +143,7 @@ int measure(const std::filesystem::path& collection, std::size_t models, const s
   };
   answer({}, "answer to a member");
   if (!folder.empty()) return EXIT_SUCCESS;
-  index.contents.nearest = nearest_in(index.method, index.contents, 20, control);
+  index.contents.nearest = nearest_models_in_index(index.method, index.contents, 20, control);
   timer.report("neighbours of all models, for re-ranking");
   answer({.rerank = true}, "re-ranked answer to a member");
   index.contents.models.front().sha256[0] = 'x';  // the same file is now one from elsewhere

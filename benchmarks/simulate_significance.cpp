@@ -61,7 +61,7 @@ std::string row_of(const Setting& setting, std::uint64_t seed) {
     const Eigen::VectorXd differences = draw_differences(setting, classes, random);
     const ResamplingOptions options{.resamples = resamples, .seed = random.next()};
     const auto is_significant = [&](ResamplingUnit unit, Average average) {
-      const UnitValues units = units_of(differences, classes, unit, average);
+      const UnitValues units = unit_values_of(differences, classes, unit, average);
       return randomisation_p_value(units.values, units.weights, options) <= alpha;
     };
     over_queries += is_significant(ResamplingUnit::queries, Average::micro) ? 1 : 0;

@@ -56,9 +56,9 @@ UnitValues class_units(const Eigen::MatrixXd& per_query, std::span<const int> cl
 
 }  // namespace
 
-UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
-                    Average average) {
-  if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query");
+UnitValues unit_values_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
+                          Average average) {
+  if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query, and there is none");
   if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
     throw ArgumentError("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
                         std::to_string(classes.size()));

@@ -30,14 +30,15 @@ inline constexpr std::array<std::string_view, 2> words_of<Average>{"micro", "mac
 
 /// Options of bootstrap and randomisation tests. The same seed gives the same result for any number of threads.
 struct ResamplingOptions {
-  int resamples = 10000;
-  std::uint64_t seed = 1;
+  int resamples = 10000;   ///< number of bootstrap samples or of random exchanges of methods
+  std::uint64_t seed = 1;  ///< seed of the random numbers
 };
 
 /// Names, bounds and help texts of the members of ResamplingOptions.
 inline constexpr std::array resampling_table = {
-    option_of<&ResamplingOptions::resamples>("resamples", {.low = 1, .high = 10'000'000}, "Number of resamples."),
-    option_of<&ResamplingOptions::seed>("seed", seed_bounds, "Seed of random numbers."),
+    option_of<&ResamplingOptions::resamples>("resamples", {.low = 1, .high = 10'000'000},
+                                             "Number of bootstrap and randomisation resamples."),
+    option_of<&ResamplingOptions::seed>("seed", seed_bounds, "Seed of random numbers; equal seeds give equal results."),
 };
 
 /// Valid confidence levels of confidence intervals.
@@ -56,8 +57,8 @@ struct UnitValues {
 /// Averages the scores `per_query` (queries x methods) over the queries of each unit. classes[i] is the class of query
 /// i. Units that are classes are in order of first appearance, so that random draws do not depend on class numbers.
 /// Throws ArgumentError without queries and unless `classes` has one entry per query.
-UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
-                    Average average);
+UnitValues unit_values_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
+                          Average average);
 
 /// Returns the average of each method: the weighted mean of its unit values.
 Eigen::VectorXd averages_of(const UnitValues& units);
@@ -68,11 +69,12 @@ Eigen::VectorXd contributions(const Eigen::VectorXd& differences, const Eigen::V
 
 /// Lower and upper bound of a confidence interval.
 struct ConfidenceInterval {
-  double low = 0;
-  double high = 0;
+  double low = 0;   ///< lower bound of the interval
+  double high = 0;  ///< upper bound of the interval
 };
 
-/// Confidence intervals of the averages of an Evaluation, one per measure; empty if not computed.
+/// Confidence intervals of the averages of an Evaluation. Both vectors have one interval per measure, or none if
+/// intervals were not computed.
 struct EvaluationIntervals {
   double confidence = 0.95;               ///< confidence level of the intervals
   std::vector<ConfidenceInterval> micro;  ///< intervals of Evaluation::micro
@@ -92,8 +94,8 @@ Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOpti
 std::vector<ConfidenceInterval> bootstrap_intervals(const UnitValues& units, double confidence = 0.95,
                                                     const ResamplingOptions& options = {});
 
-/// Computes the same confidence intervals as bootstrap_intervals() from the result of bootstrap_averages() for `units`
-/// units. Throws ArgumentError for fewer than two units and for a confidence out of range.
+/// Computes the same confidence intervals as bootstrap_intervals() from `resampled`, the result of bootstrap_averages()
+/// for `units` resampling units. Throws ArgumentError for fewer than two units and for a confidence out of range.
 std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resampled, Eigen::Index units,
                                                      double confidence);
 

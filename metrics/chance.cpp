@@ -7,7 +7,8 @@
 
 namespace shapegauge {
 
-std::optional<NearestByChance> nearest_by_chance(const Evaluation& evaluation, const RetrievalTask& task) {
+std::optional<NearestNeighbourByChance> compare_nearest_with_chance(const Evaluation& evaluation,
+                                                                    const RetrievalTask& task) {
   const auto measure = std::ranges::find(evaluation.measures, "NN");
   if (measure == evaluation.measures.end()) return std::nullopt;
   const std::vector<std::size_t> relevant = relevant_counts(task);
@@ -17,7 +18,7 @@ std::optional<NearestByChance> nearest_by_chance(const Evaluation& evaluation, c
   const auto targets = static_cast<double>(task.target_classes.size()) -
                        static_cast<double>(std::ranges::count(task.target_classes, no_class));
   const auto queries = static_cast<double>(evaluation.queries.size());
-  NearestByChance chance{.found = evaluation.micro[measure - evaluation.measures.begin()]};
+  NearestNeighbourByChance chance{.found = evaluation.micro[measure - evaluation.measures.begin()]};
   for (const Eigen::Index row : evaluation.queries) {
     const auto i = static_cast<std::size_t>(row);
     const double others = targets - (is_target(task.own_column[i]) ? 1 : 0);

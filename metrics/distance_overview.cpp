@@ -29,14 +29,14 @@ std::int64_t in_units(double distance, double unit) {
   return std::llround(std::clamp(distance / unit, -most, most));
 }
 
-void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOverview& seen) {
+void add_to_sums(std::span<const double> row, Eigen::Index model, OverviewAccumulator& seen) {
   const Eigen::Index block = seen.overview.block;
   const Eigen::Index cell_row = seen.positions[static_cast<std::size_t>(model)] / block;
-  PartialOverview::Cell* const cells = seen.sums.data() + cell_row * seen.overview.cells.cols();
+  OverviewAccumulator::Cell* const cells = seen.sums.data() + cell_row * seen.overview.cells.cols();
   for (std::size_t other = 0; other < row.size(); ++other) {
     const double distance = static_cast<Eigen::Index>(other) == model ? 0 : row[other];
     if (!std::isfinite(distance)) continue;
-    PartialOverview::Cell& cell = cells[seen.positions[other] / block];
+    OverviewAccumulator::Cell& cell = cells[seen.positions[other] / block];
     cell.sum += in_units(distance, seen.unit);
     ++cell.count;
   }
@@ -44,7 +44,7 @@ void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOvervie
 
 /// Groups rows by the cells that they add to, which must not be updated concurrently.
 std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::Index count,
-                                                    const PartialOverview& seen) {
+                                                    const OverviewAccumulator& seen) {
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));
   std::iota(rows.begin(), rows.end(), Eigen::Index{0});
   const auto cell = [&](Eigen::Index row) {
@@ -80,11 +80,11 @@ double largest_finite(std::span<const double> row, Eigen::Index itself) {
   return largest;
 }
 
-PartialOverview begin_overview(std::span<const int> labels, double largest) {
-  PartialOverview seen;
+OverviewAccumulator begin_overview(std::span<const int> labels, double largest) {
+  OverviewAccumulator seen;
   DistanceOverview& overview = seen.overview;
   const auto models = static_cast<Eigen::Index>(labels.size());
-  overview.block = std::max<Eigen::Index>(1, (models + largest_heat_map - 1) / largest_heat_map);
+  overview.block = std::max<Eigen::Index>(1, (models + max_heat_map_side - 1) / max_heat_map_side);
   const Eigen::Index side = (models + overview.block - 1) / overview.block;
   overview.cells.resize(side, side);
   seen.unit = unit_for(largest);
@@ -100,7 +100,7 @@ PartialOverview begin_overview(std::span<const int> labels, double largest) {
   return seen;
 }
 
-void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& seen) {
+void accumulate(const DistanceTable& rows, Eigen::Index first, OverviewAccumulator& seen) {
   DistanceOverview& overview = seen.overview;
   const Eigen::Index kept = overview.nearest.cols();
   parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
@@ -125,7 +125,7 @@ void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& 
   });
 }
 
-DistanceOverview overview_of(PartialOverview seen) {
+DistanceOverview overview_of(OverviewAccumulator seen) {
   Eigen::MatrixXd& cells = seen.overview.cells;
   for (std::size_t i = 0; i < seen.sums.size(); ++i) {
     const auto& [sum, count] = seen.sums[i];
@@ -136,7 +136,7 @@ DistanceOverview overview_of(PartialOverview seen) {
 }
 
 DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels) {
-  PartialOverview seen = begin_overview(labels, largest_finite(row_of(distances, 0), 0));
+  OverviewAccumulator seen = begin_overview(labels, largest_finite(row_of(distances, 0), 0));
   accumulate(distances, 0, seen);
   return overview_of(std::move(seen));
 }

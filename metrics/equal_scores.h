@@ -19,7 +19,8 @@ inline bool are_equal_scores(double a, double b) {
   return std::abs(a - b) <= score_rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns a[i] - b[i] for each query or unit i; exactly 0 for scores that are equal (are_equal_scores()).
+/// Returns a[i] - b[i] for the scores a and b of two methods on each query or unit i; exactly 0 for scores that are
+/// equal (are_equal_scores()).
 Eigen::VectorXd score_differences(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 /// Groups equal scores (are_equal_scores()). Returns the indices of the scores of each group, ascending; the group of

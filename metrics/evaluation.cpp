@@ -145,7 +145,7 @@ RowEvaluator::RowEvaluator(const RetrievalTask& task, const EvaluationOptions& o
                            Eigen::Index last)
     : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
   if (options.finds_itself && std::ranges::any_of(task.own_column, [](Eigen::Index own) { return own >= 0; })) {
-    throw ArgumentError("a query that finds itself has no column of its own in the task");
+    throw ArgumentError("with finds_itself, own_column must be -1 for all queries of the task");
   }
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;

@@ -22,15 +22,15 @@ namespace shapegauge {
 
 /// Options of evaluate(): protocol, ties, measures, precision-recall curve and choice of queries.
 struct EvaluationOptions {
-  Protocol protocol = Protocol::psb;
-  Ties ties = Ties::index;
-  std::vector<Measure> measures{};   ///< measures to compute; default_measures(protocol) if empty
-  std::optional<CurveKind> curve{};  ///< kind of precision-recall curve; default_curve(protocol) if not set
-  /// Minimum class size of a query, the query included (psbTable: 3): models of smaller classes are not queries. A
-  /// query thus needs minimum_class_size - 1 relevant models. 1: judged queries without a relevant model count, with
-  /// scores of 0.
+  Protocol protocol = Protocol::psb;  ///< whether lists contain the query; default measures and curve
+  Ties ties = Ties::index;            ///< order of models at equal distance
+  std::vector<Measure> measures{};    ///< measures to compute; default_measures(protocol) if empty
+  std::optional<CurveKind> curve{};   ///< kind of precision-recall curve; default_curve(protocol) if not set
+  /// Minimum number of models in the class of a query, the query included (psbTable: 3): models of smaller classes are
+  /// not queries. A query thus needs minimum_class_size - 1 relevant models. 1: judged queries without a relevant
+  /// model count, with scores of 0.
   int minimum_class_size = 2;
-  bool finds_itself = false;  ///< true: a query is ranked like any other target, not excluded from its list
+  bool finds_itself = false;  ///< true: the query itself is ranked in its list like any other target, not excluded
 };
 
 /// Returns the measures that an evaluation computes: options.measures, or the default measures if empty.
@@ -46,23 +46,24 @@ inline constexpr std::array evaluation_table = {
                                         "or the mean over all orders."),
     option_of<&EvaluationOptions::minimum_class_size>(
         "minimum_class_size", {.low = 1, .high = 1'000'000},
-        "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3; 1: also judged queries without a "
+        "Minimum class size; queries of smaller classes are omitted (psbTable of the Princeton Shape Benchmark: 3; 1: "
+        "also judged queries without a "
         "relevant model, with scores of 0)."),
 };
 
 /// Mean first tier (FT) over the queries if, among models at equal distance, relevant ones rank last (pessimistic) or
 /// first (optimistic).
 struct FirstTierBounds {
-  double pessimistic = 0;
-  double optimistic = 0;
+  double pessimistic = 0;  ///< mean FT if relevant models rank last among tied models
+  double optimistic = 0;   ///< mean FT if relevant models rank first among tied models
 };
 
 /// Scores of a distance matrix under one protocol, from 0 to 1 (some definitions of evaluators.h exceed 1). Column j of
 /// `per_query` and `per_class`, and entry j of `micro` and `macro`, belong to measures[j].
 struct Evaluation {
-  Protocol protocol = Protocol::psb;
-  Ties ties = Ties::index;
-  CurveKind curve = CurveKind::psb;
+  Protocol protocol = Protocol::psb;               ///< protocol of the ranked lists
+  Ties ties = Ties::index;                         ///< order of models at equal distance
+  CurveKind curve = CurveKind::psb;                ///< kind of the precision-recall curves
   std::vector<std::string> measures;               ///< names of the measures: "NN", "FT", "ST", "E", "DCG", "mAP"
   std::vector<Eigen::Index> queries;               ///< matrix row of each query, ascending
   std::vector<int> query_classes;                  ///< class label of each query
@@ -140,17 +141,18 @@ class RowEvaluator {
   [[nodiscard]] Evaluation evaluation_of(const QueryScores& all) const;
 
  private:
+  /// Evaluates the queries in rows [first, last); list_of(row, extremes) returns the ranked list of a row.
   template <typename ListOf>
   void evaluate_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
-  void keep(std::size_t score, const RankedList& list);
+  void keep(std::size_t score, const RankedList& list);  ///< sets row `score` of scores_ from a ranked list
 
-  Relevance relevance_;
-  std::vector<Measure> measures_;
-  Measure first_tier_;
-  Evaluation blank_;             ///< evaluation with its queries and classes, but without scores
-  std::size_t largest_ = 0;      ///< largest number of relevant models of a query
-  std::size_t first_query_ = 0;  ///< index in blank_.queries of the first query of this evaluator
-  QueryScores scores_;
+  Relevance relevance_;            ///< relevance of targets to queries
+  std::vector<Measure> measures_;  ///< measures to compute, as columns of QueryScores::measures
+  Measure first_tier_;             ///< FT, for Evaluation::first_tier_bounds
+  Evaluation blank_;               ///< evaluation with its queries and classes, but without scores
+  std::size_t largest_ = 0;        ///< largest number of relevant models of a query; under paper, the query included
+  std::size_t first_query_ = 0;    ///< index in blank_.queries of the first query of this evaluator
+  QueryScores scores_;             ///< scores of the queries among the rows of this evaluator
 };
 
 }  // namespace shapegauge

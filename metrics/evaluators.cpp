@@ -25,7 +25,7 @@ double second_tier_plus_one(const RankedList& list) {
 }
 
 double average_precision_at_r(const RankedList& list) {
-  return precisions_at_hits(list, list.relevant) / number_of_relevant(list);
+  return sum_of_precisions(list, list.relevant) / number_of_relevant(list);
 }
 
 constexpr std::size_t longest_contest_list = 1000;
@@ -33,7 +33,7 @@ constexpr std::size_t longest_contest_list = 1000;
 double average_precision_of_found(const RankedList& list) {
   const std::size_t ranks = std::min(list.length, longest_contest_list);
   const double found = hits_among_first(list, ranks);
-  return found > 0 ? precisions_at_hits(list, ranks) / found : 0;
+  return found > 0 ? sum_of_precisions(list, ranks) / found : 0;
 }
 
 double discount(std::size_t rank) { return rank == 1 ? 1.0 : 1.0 / std::log2(static_cast<double>(rank)); }

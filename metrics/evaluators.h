@@ -19,13 +19,13 @@ struct EvaluatorScore {
 /// Conventions of the evaluation program of a benchmark, a contest or a library: definitions of scores, cutoffs,
 /// denominators and order of ties.
 struct Evaluator {
-  std::string name;        ///< name in options and tables, such as "psb_table"
-  std::string program;     ///< name and version of the evaluation program
-  std::string deviations;  ///< text: deviations from the definitions of the measures, and other conventions
-  Protocol protocol = Protocol::psb;
-  CurveKind curve = CurveKind::psb;
-  int minimum_class_size = 2;
-  bool finds_itself = false;           ///< true: a query is ranked like any other target (EvaluationOptions)
+  std::string name;                    ///< name in options and tables, such as "psb_table"
+  std::string program;                 ///< name and version of the evaluation program
+  std::string deviations;              ///< text: deviations from the definitions of the measures, and other conventions
+  Protocol protocol = Protocol::psb;   ///< protocol that the program follows
+  CurveKind curve = CurveKind::psb;    ///< kind of the program's precision-recall curve
+  int minimum_class_size = 2;          ///< minimum number of models in the class of a query (EvaluationOptions)
+  bool finds_itself = false;           ///< true: the query itself is ranked in its list (EvaluationOptions)
   std::vector<EvaluatorScore> scores;  ///< scores that the program prints
 };
 

@@ -6,6 +6,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
@@ -82,9 +83,16 @@ std::vector<RankDifference> rank_differences(const Eigen::MatrixXd& values, cons
 }  // namespace
 
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
-  if (values.size() == 0) throw ArgumentError("a comparison by ranks needs at least one method and one data set");
-  if (!values.allFinite()) throw ArgumentError("a value of a method on a data set is not a finite number");
-  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a significance level must be between 0 and 1");
+  if (values.size() == 0) {
+    throw ArgumentError("a comparison by ranks needs at least one method and one data set, not " +
+                        std::to_string(values.cols()) + " and " + std::to_string(values.rows()));
+  }
+  if (!values.allFinite())
+    throw ArgumentError("values of methods on data sets must be finite numbers (not finite: " +
+                        std::to_string((!values.array().isFinite()).count()) + " of " + std::to_string(values.size()) +
+                        ")");
+  if (!(alpha > 0 && alpha < 1))
+    throw ArgumentError("the significance level is " + std::to_string(alpha) + "; it must be between 0 and 1");
   const auto sets = static_cast<double>(values.rows());
   const auto methods = static_cast<double>(values.cols());
   RankComparison comparison;

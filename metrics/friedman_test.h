@@ -13,12 +13,12 @@ namespace shapegauge {
 
 /// Result of Friedman's test of k methods on N data sets.
 struct FriedmanTest {
-  double chi_squared = 0;     ///< Friedman's statistic, corrected for ties
-  double tie_correction = 1;  ///< divisor that corrects Friedman's statistic for ties; 1 without ties
-  double p = 1;               ///< p-value of `chi_squared`: chi-squared distribution with k - 1 degrees of freedom
+  double chi_squared = 0;     ///< Friedman's chi-squared statistic, corrected for ties
+  double tie_correction = 1;  ///< divisor of `chi_squared` for ties; 1 without ties, 0 if all values are equal
+  double p = 1;               ///< p-value of `chi_squared`, with k - 1 degrees of freedom for k methods
   double f = 0;               ///< Iman and Davenport's statistic; infinite if all data sets have the same ranks
-  /// p-value of `f`: F distribution with k - 1 and (k - 1)(N - 1) degrees of freedom. If `f` is infinite, the exact
-  /// probability that random rankings of all data sets are equal.
+  /// p-value of `f`: F distribution with k - 1 and (k - 1)(N - 1) degrees of freedom for k methods on N data sets. If
+  /// `f` is infinite, the exact probability that random rankings of all data sets are equal.
   double f_p = 1;
 };
 
@@ -38,7 +38,7 @@ struct RankComparison {
   FriedmanTest friedman;           ///< test of the ranks; p-values are 1 for one method or one data set
   double critical_difference = 0;  ///< Nemenyi's critical difference; infinite for one data set, 0 for one method
   std::vector<std::size_t> order;  ///< indices of methods by increasing mean rank; ties by index
-  std::vector<HomogeneousGroup> groups;  ///< positions in `order` of methods that do not differ significantly
+  std::vector<HomogeneousGroup> groups;  ///< methods that do not differ significantly, as positions in `order`
   std::vector<RankDifference> pairs;     ///< all pairs of methods; empty for more than max_paired_methods
 };
 
@@ -47,22 +47,22 @@ inline constexpr std::size_t max_paired_methods = 50;
 
 /// Compares k methods by their values on N data sets, larger being better; `values` is N x k. Friedman's test has the
 /// null hypothesis that all methods are equal; Iman and Davenport's statistic is less conservative. Two methods differ
-/// significantly at `alpha` if their mean ranks differ by more than Nemenyi's critical difference q / sqrt(2) sqrt(k (k
-/// + 1) / (6 N)), where q is the 1 - alpha quantile of the studentised range of k values. Demsar, "Statistical
-/// comparisons of classifiers over multiple data sets", Journal of Machine Learning Research 7, 2006. The
+/// significantly at the level `alpha` if their mean ranks differ by more than Nemenyi's critical difference q / sqrt(2)
+/// sqrt(k (k + 1) / (6 N)), where q is the 1 - alpha quantile of the studentised range of k values. Demsar,
+/// "Statistical comparisons of classifiers over multiple data sets", Journal of Machine Learning Research 7, 2006. The
 /// approximations are valid for N above 10 and k above 5. Throws ArgumentError without values, for a value that is not
 /// finite, and for an alpha that is not between 0 and 1.
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha = 0.05);
 
 /// Confidence interval of a method's rank among all methods; rank 1 is the best.
 struct RankInterval {
-  std::size_t best = 1;
-  std::size_t worst = 1;
+  std::size_t best = 1;   ///< smallest rank of the interval
+  std::size_t worst = 1;  ///< largest rank of the interval
 
   bool operator==(const RankInterval&) const = default;
 };
 
-/// Computes bootstrap confidence intervals of the rank of each method in the order of mean ranks. Resamples the data
+/// Computes a bootstrap confidence interval of each method's rank among the methods by mean rank. Resamples the data
 /// sets, which are treated as a random sample of all such data sets. `ranks` is RankComparison::ranks. Percentiles are
 /// widened for few data sets, see bootstrap_intervals(), and rounded outwards. Throws ArgumentError for fewer than two
 /// data sets, and for a confidence or options out of range.

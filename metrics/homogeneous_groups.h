@@ -12,8 +12,8 @@ namespace shapegauge {
 /// Consecutive members of a ranking that do not differ significantly: positions `first` to `last`, inclusive, where 0
 /// is the best.
 struct HomogeneousGroup {
-  std::size_t first = 0;
-  std::size_t last = 0;
+  std::size_t first = 0;  ///< position of the best member in the ranking, from 0
+  std::size_t last = 0;   ///< position of the worst member in the ranking, from 0
 
   bool operator==(const HomogeneousGroup&) const = default;
 };

@@ -104,7 +104,7 @@ void MatrixChecks::add(const DistanceTable& rows) {
 }
 
 void MatrixChecks::compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored) {
-  const Asymmetry found = parallel_reduce_parts(
+  const Asymmetry found = interruptible_parallel_reduce(
       tbb::blocked_range<Eigen::Index>(0, mirrored.rows(), tile), Asymmetry{},
       [&](const tbb::blocked_range<Eigen::Index>& columns, const Asymmetry& before) {
         return before + asymmetry_of_columns(rows, first, mirrored, columns);

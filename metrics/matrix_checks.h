@@ -19,8 +19,8 @@ struct MatrixFindings {
   /// Number of pairs i < j with different entries (i, j) and (j, i); 0 if all differences are due to rounding, that is,
   /// at most 1e-12 of the largest finite |distance| off the diagonal.
   Eigen::Index asymmetric_pairs = 0;
-  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is 0
-  bool triangular = false;       ///< over half of all pairs i < j are asymmetric, and one entry of each of these is 0
+  double largest_asymmetry = 0;  ///< maximum finite difference of entries (i, j) and (j, i); 0 if asymmetric_pairs is 0
+  bool triangular = false;       ///< true if over half of all pairs i < j are asymmetric, all with an entry of 0
   Eigen::Index nonzero_diagonal = 0;  ///< number of finite diagonal entries other than 0
   /// Number of rows whose finite diagonal entry is the maximum of the row and not also the minimum, as in a matrix of
   /// similarities.
@@ -45,34 +45,36 @@ class MatrixChecks {
   void add(const DistanceTable& rows);
 
   /// Detects asymmetry. `rows` are n consecutive rows of the matrix from row `first` on. `mirrored` are the n columns
-  /// from column `first` on, without the rows above `first`. Call once for every row of a square matrix.
+  /// from column `first` on, without the rows above `first`. The calls must cover each row of a square
+  /// matrix once; findings() has the result.
   void compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored);
 
   /// Returns the findings of all rows so far. Equal rows are detected by 128-bit hashes.
   [[nodiscard]] MatrixFindings findings() const;
 
  private:
-  struct RowFindings {
-    Eigen::Index infinite = 0;
-    Eigen::Index negative = 0;
-    double largest = 0;  // largest finite |entry| off the diagonal
-    bool constant = false;
-    bool unreachable = false;  // all entries off the diagonal are +infinity
-    bool nonzero_diagonal = false;
-    bool nearest_to_others = false;
-    bool at_zero = false;
-    std::pair<std::uint64_t, std::uint64_t> hash;
+  struct RowFindings {                             // anomalies of one row
+    Eigen::Index infinite = 0;                     // number of infinite entries off the diagonal
+    Eigen::Index negative = 0;                     // number of negative entries off the diagonal
+    double largest = 0;                            // largest finite |entry| off the diagonal
+    bool constant = false;                         // all entries off the diagonal are equal, and not +infinity
+    bool unreachable = false;                      // all entries off the diagonal are +infinity
+    bool nonzero_diagonal = false;                 // the diagonal entry is finite and not 0
+    bool nearest_to_others = false;                // the diagonal entry is the maximum, not the minimum
+    bool at_zero = false;                          // the smallest entry off the diagonal is 0, the largest not
+    std::pair<std::uint64_t, std::uint64_t> hash;  // hash of all entries, to detect equal rows
   };
+  // Checks row `row` of `rows`, whose diagonal entry is in the column `diagonal`; -1 for none.
   static RowFindings check_row(const DistanceTable& rows, Eigen::Index row, Eigen::Index diagonal);
-  void add_asymmetry(MatrixFindings& findings) const;
-  void add_equal_rows(MatrixFindings& findings) const;
+  void add_asymmetry(MatrixFindings& findings) const;   // sets the findings about pairs (i, j) and (j, i)
+  void add_equal_rows(MatrixFindings& findings) const;  // sets MatrixFindings::equal_rows
 
-  bool square_;
-  Eigen::Index asymmetric_pairs_ = 0;
-  Eigen::Index infinite_asymmetries_ = 0;  // pairs (i, j) and (j, i) whose difference is infinite
-  Eigen::Index one_sided_pairs_ = 0;       // asymmetric pairs with one entry 0
-  double largest_asymmetry_ = 0;
-  std::vector<RowFindings> rows_;
+  bool square_;                            // true if there is a diagonal
+  Eigen::Index asymmetric_pairs_ = 0;      // number of pairs i < j with different entries (i, j) and (j, i)
+  Eigen::Index infinite_asymmetries_ = 0;  // number of asymmetric pairs whose difference is infinite
+  Eigen::Index one_sided_pairs_ = 0;       // number of asymmetric pairs with one entry 0
+  double largest_asymmetry_ = 0;           // maximum finite |(i, j) - (j, i)|
+  std::vector<RowFindings> rows_;          // findings of the rows so far
 };
 
 }  // namespace shapegauge

@@ -321,7 +321,7 @@ MeasureDefinition average_precision_of_list() {
               "As in the evaluation program from February 2017 on. Before, in the report of 2016, the sum was divided "
               "by the number of hits in the list, so that short lists scored higher.",
           .value = [](const RankedList& list) {
-            return precisions_at_hits(list, considered_ranks(list)) / static_cast<double>(findable(list));
+            return sum_of_precisions(list, considered_ranks(list)) / static_cast<double>(findable(list));
           }};
 }
 
@@ -426,7 +426,7 @@ std::vector<Measure> measures_of(std::span<const std::string> names) {
   for (const std::string& name : names) {
     const Measure measure = measure_of(name);
     if (std::ranges::find(measures, measure.name, &Measure::name) != measures.end()) {
-      throw ArgumentError("the measure \"" + measure.name + "\" is named twice");
+      throw ArgumentError("the measure \"" + measure.name + "\" is repeated; omit one");
     }
     measures.push_back(measure);
   }

@@ -16,8 +16,8 @@ namespace shapegauge {
 /// Definition of a retrieval measure: a score from 0 to 1 of the ranked answer to one query, larger being better, for
 /// lists with at least one rank and one relevant model. Exactly one of `value` and `value_at` is set.
 struct MeasureDefinition {
-  std::string name;     ///< name; ends in "@k" if it has a cutoff rank k, in "@N" if the cutoff is the end of the list
-  std::string title{};  ///< full name, such as "first tier"
+  std::string name;  ///< name such as "FT"; ends in "@k" with a cutoff rank k, in "@N" if the cutoff is the list's end
+  std::string title{};       ///< full name, such as "first tier"
   std::string definition{};  ///< formula in words; h(i) is 1 where rank i is a hit, R the number of relevant models
   std::string source{};      ///< publication or program that defines the measure
   std::string caveat{};      ///< pitfalls in the interpretation of scores
@@ -32,9 +32,9 @@ Registry<MeasureDefinition>& measure_definitions();
 
 /// Measure with a cutoff, if it has one, as shown in tables: "FT", "P@10".
 struct Measure {
-  std::string name;
-  const MeasureDefinition* definition = nullptr;
-  std::size_t k = 0;  ///< cutoff rank; 0 for a measure without one
+  std::string name;                               ///< name in tables, with the cutoff
+  const MeasureDefinition* definition = nullptr;  ///< definition of the measure; required
+  std::size_t k = 0;                              ///< cutoff rank; 0 for a measure without one
 
   /// Returns the score of a ranked list; 0 for an empty list or without relevant models, whatever the measure.
   [[nodiscard]] double value(const RankedList& list) const {

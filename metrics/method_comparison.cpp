@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -15,14 +16,19 @@ namespace shapegauge {
 namespace {
 
 void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const ComparisonOptions& options) {
-  if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
-  if (!per_query.allFinite()) throw ArgumentError("a value to compare is not a finite number");
+  if (per_query.cols() < 2)
+    throw ArgumentError("a comparison needs at least two methods, not " + std::to_string(per_query.cols()));
+  if (!per_query.allFinite())
+    throw ArgumentError("scores to compare must be finite numbers (not finite: " +
+                        std::to_string((!per_query.array().isFinite()).count()) + " of " +
+                        std::to_string(per_query.size()) + ")");
   if (units.values.rows() < 2) {
     throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two " +
-                        name_of(options.blocks));
+                        name_of(options.blocks) + ", not " + std::to_string(units.values.rows()));
   }
   if (options.reference && *options.reference >= static_cast<std::size_t>(per_query.cols())) {
-    throw ArgumentError("the reference is not one of the methods");
+    throw ArgumentError("the reference has index " + std::to_string(*options.reference) + ", but there are " +
+                        std::to_string(per_query.cols()) + " methods, counted from 0");
   }
 }
 
@@ -67,7 +73,7 @@ void adjust(std::vector<PairDifference>& pairs, double PairDifference::*p, doubl
 
 }  // namespace
 
-double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
+double min_attainable_p_value(const ComparisonOptions& options, Eigen::Index units) {
   const double of_resamples = 1.0 / (1.0 + options.resampling.resamples);
   switch (options.test) {
     case PairTest::t:
@@ -77,12 +83,12 @@ double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
     case PairTest::randomisation:
       break;
   }
-  return smallest_tukey_p_value(2, units, options.resampling);
+  return min_attainable_tukey_p_value(2, units, options.resampling);
 }
 
 double class_p_value(const Eigen::VectorXd& differences, std::span<const int> classes) {
   const auto class_means = [&](const Eigen::VectorXd& values) -> Eigen::ArrayXd {
-    return units_of(values, classes, ResamplingUnit::classes, Average::macro).values;
+    return unit_values_of(values, classes, ResamplingUnit::classes, Average::macro).values;
   };
   // Differences that cancel leave the rounding of their sums, relative to their magnitudes.
   if (std::abs(differences.sum()) <= score_rounding * differences.cwiseAbs().sum()) return 1;
@@ -103,7 +109,7 @@ double min_class_effect(std::size_t classes, std::size_t pairs, double alpha) {
 
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options) {
-  const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
+  const UnitValues units = unit_values_of(per_query, classes, options.blocks, options.average);
   check_options("comparison", comparison_table, options);
   check(per_query, units, options);
   const Eigen::MatrixXd resampled = bootstrap_averages(units, options.resampling);

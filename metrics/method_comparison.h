@@ -24,19 +24,19 @@ inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomisati
 
 /// Options of compare_methods(): significance test, resampling unit, average, confidence level, compared pairs.
 struct ComparisonOptions {
-  PairTest test = PairTest::randomisation;
-  ResamplingUnit blocks = ResamplingUnit::queries;
-  Average average = Average::micro;
-  double confidence = 0.95;
+  PairTest test = PairTest::randomisation;          ///< significance test of each pair of methods
+  ResamplingUnit blocks = ResamplingUnit::queries;  ///< unit of resampling: query or class
+  Average average = Average::micro;                 ///< average over queries (micro) or over classes (macro)
+  double confidence = 0.95;                         ///< confidence level of the intervals
   std::optional<std::size_t> reference{};  ///< index of the method to compare with each other one; all pairs if not set
-  ResamplingOptions resampling{};
+  ResamplingOptions resampling{};          ///< number of resamples and seed
 };
 
 /// Names, bounds and help texts of the members of ComparisonOptions other than `reference`.
 inline constexpr std::array comparison_table = {
     option_of<&ComparisonOptions::test>("test", "Significance test of each pair."),
     option_of<&ComparisonOptions::blocks>(
-        "blocks", "Unit of resampling: queries (claims about these classes), or classes (about classes like these)."),
+        "blocks", "Unit of resampling: queries (to generalise to other queries) or classes (to other classes)."),
     option_of<&ComparisonOptions::average>("average", "Average over queries (micro) or over classes (macro)."),
     option_of<&ComparisonOptions::confidence>("confidence", confidence_bounds, "Confidence level of intervals."),
     nested_option<&ComparisonOptions::resampling, resampling_table, 0>(),
@@ -52,9 +52,9 @@ struct PairDifference {
   double p = 1;                   ///< p-value of ComparisonOptions::test, not corrected for multiple tests
   double p_holm = 1;              ///< `p` with Holm's correction for all pairs of the comparison
   double p_tukey = 1;             ///< p-value of the randomised Tukey HSD test of all methods
-  double p_classes = 1;           ///< class_p_value() with Holm's correction for all pairs of the comparison
-  double effect_size = 0;         ///< Cohen's d of the differences of the resampling units (effect_size())
-  WinTieLoss queries{};           ///< number of queries on which `first` is better, equal and worse
+  double p_classes = 1;    ///< p-value for further classes (class_p_value()), with Holm's correction for all pairs
+  double effect_size = 0;  ///< Cohen's d of the differences of the resampling units (effect_size())
+  WinTieLoss queries{};    ///< number of queries on which `first` is better, equal and worse
 };
 
 /// Comparison of two or more methods by one measure; result of compare_methods().
@@ -69,7 +69,7 @@ struct MethodComparison {
 /// Returns the smallest p-value that the test of a pair of methods can have with a number of resampling units; 0 for
 /// the t-test, which has no bound. Randomisation exchanges two methods in n units in 2^n ways, half of which differ by
 /// their sign only. With B resamples no p-value is below 1 / (B + 1).
-double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
+double min_attainable_p_value(const ComparisonOptions& options, Eigen::Index units);
 
 /// Returns the two-sided p-value of the difference between two methods for further classes, of which those of the data
 /// set are treated as a random sample (docs/notes/significance.md). differences[i] is the difference for query i,

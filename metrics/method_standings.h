@@ -14,11 +14,11 @@ namespace shapegauge {
 
 /// Options of standings_of(): resampling unit, average, confidence level, and whether to test significance.
 struct StandingOptions {
-  ResamplingUnit blocks = ResamplingUnit::queries;
-  Average average = Average::micro;
-  double confidence = 0.95;
-  ResamplingOptions resampling{};
-  bool tested = true;  ///< false: averages and ranks only, no intervals; no methods differ significantly
+  ResamplingUnit blocks = ResamplingUnit::queries;  ///< unit of resampling: query or class
+  Average average = Average::micro;                 ///< average over queries (micro) or over classes (macro)
+  double confidence = 0.95;        ///< confidence level of intervals; significance level 1 - confidence
+  ResamplingOptions resampling{};  ///< number of resamples and seed
+  bool tested = true;              ///< false: averages and ranks only, no intervals; no methods differ significantly
 };
 
 /// Average and rank of a method among others by one measure, with confidence intervals; see standings_of().
@@ -30,8 +30,8 @@ struct MethodStanding {
   /// minus the significantly worse ones. Mogstad, Romano, Shaikh, Wilhelm, "Inference for ranks with applications to
   /// mobility across neighbourhoods and academic achievement across countries", Review of Economic Studies 91, 2024.
   /// @{
-  std::size_t best_rank = 1;
-  std::size_t worst_rank = 1;
+  std::size_t best_rank = 1;   ///< smallest rank of the interval
+  std::size_t worst_rank = 1;  ///< largest rank of the interval
   /// @}
   std::string letters;  ///< letters of compact_letters(): methods that share one do not differ significantly
 };

@@ -440,7 +440,7 @@ double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t ra
   return sum;
 }
 
-double precisions_at_hits(const RankedList& list, std::size_t count) {
+double sum_of_precisions(const RankedList& list, std::size_t count) {
   double sum = 0;
   std::size_t rank = 0;
   double hits_before = 0;

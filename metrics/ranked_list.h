@@ -20,8 +20,8 @@ std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen:
 
 /// Run of consecutive ranks that hold relevant and other models in unknown order (ties). All orders are equally likely.
 struct RankRun {
-  std::size_t size = 0;              ///< number of ranks
-  std::size_t hits = 0;              ///< number of relevant models
+  std::size_t size = 0;              ///< number of ranks in the run
+  std::size_t hits = 0;              ///< number of relevant models in the run
   std::size_t misses = size - hits;  ///< number of models judged as not relevant; without judgements all but the hits
   double grade = 1;                  ///< mean relevance grade of the hits
 
@@ -35,7 +35,8 @@ struct RankedList {
   std::size_t length = 0;     ///< number of ranks, that is, of models in the list
   std::size_t relevant = 0;   ///< number of relevant models, including those missing from the list
   bool starts_with_query = false;  ///< true if rank 1 is the query itself, which counts as a hit
-  bool tied = false;  ///< order may matter: relevant and other models, or different grades, are at equal distance
+  bool tied = false;  ///< true if relevant and other models, or different grades, are at equal distance: the order of
+                      ///< ties may matter
   /// Precision at each hit: entry k - 1 is the mean of k / rank of the k-th hit. One entry per relevant model; 0 for
   /// models missing from the list.
   std::vector<double> precision_at_hit;
@@ -45,8 +46,8 @@ struct RankedList {
 
 /// Model in the answer to a query: its column in the RetrievalTask and its distance from the query, not NaN.
 struct ListedModel {
-  Eigen::Index column = 0;
-  double distance = 0;
+  Eigen::Index column = 0;  ///< column of the model in the task
+  double distance = 0;      ///< distance from the query, not NaN
 };
 
 /// Answers to the queries of a RetrievalTask: the listed models of each row, in any order. Models that are not listed
@@ -55,14 +56,14 @@ using RankedAnswerLists = std::vector<std::vector<ListedModel>>;
 
 /// Protocol and order of ties by which ranked_list() builds lists.
 struct ListConventions {
-  Protocol protocol = Protocol::psb;
-  Ties ties = Ties::index;
+  Protocol protocol = Protocol::psb;  ///< protocol, which sets whether the list contains the query
+  Ties ties = Ties::index;            ///< order of models at equal distance
 };
 
 /// Ranked lists of one answer with ties, with tied relevant models last (pessimistic) and first (optimistic).
 struct TieExtremes {
-  RankedList pessimistic;
-  RankedList optimistic;
+  RankedList pessimistic;  ///< list with relevant models last among tied ones
+  RankedList optimistic;   ///< list with relevant models first among tied ones
 };
 
 /// Builds the ranked list of the query in row `row` from its answer. Under psb and trec it has the listed targets
@@ -76,8 +77,8 @@ RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& rel
 RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
                        const ListConventions& conventions, std::optional<TieExtremes>* extremes = nullptr);
 
-/// Builds a list from runs in order of rank; adjacent runs of the same kind are merged. `not_in_list` is the number of
-/// relevant models that are missing from the list.
+/// Builds a ranked list from runs in order of rank; merges adjacent runs of misses, or of hits of one grade.
+/// `not_in_list` is the number of relevant models that are missing from the list.
 RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query = false, std::size_t not_in_list = 0);
 
 /// Returns the number of hits among the first `count` ranks, or in the whole list if it is shorter; mean over the
@@ -92,10 +93,10 @@ double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
 double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank), std::size_t count);
 
 /// Returns the sum of the precisions at the hits among the first `count` ranks, as the mean over the orders of ties.
-double precisions_at_hits(const RankedList& list, std::size_t count);
+double sum_of_precisions(const RankedList& list, std::size_t count);
 
-/// Returns, for each hit of the list, how many models judged as not relevant rank before it, counting up to `most`;
-/// mean over the orders of ties.
+/// Returns, for each hit of the list in order of rank, the number of models judged as not relevant that rank before the
+/// hit, but at most `most`; mean over the orders of ties.
 std::vector<double> misses_before_hits(const RankedList& list, std::size_t most);
 
 }  // namespace shapegauge

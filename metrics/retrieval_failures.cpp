@@ -14,10 +14,16 @@ Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::spa
   const auto models = std::ssize(labels);
   const auto is_class = [&](int label) { return label >= 0 && label < classes; };
   const auto is_model = [&](auto model) { return model >= 0 && model < models; };
-  if (nearest.size() != labels.size()) throw ArgumentError("every model must have a class and a nearest neighbour");
-  if (!std::ranges::all_of(labels, is_class)) throw ArgumentError("a label is not the number of a class");
+  if (nearest.size() != labels.size()) {
+    throw ArgumentError("there are " + std::to_string(nearest.size()) + " nearest neighbours for " +
+                        std::to_string(labels.size()) + " labels of models");
+  }
+  if (!std::ranges::all_of(labels, is_class)) {
+    throw ArgumentError("a label is not a class from 0 to " + std::to_string(classes - 1));
+  }
   if (!std::ranges::all_of(nearest, is_model) || !std::ranges::all_of(queries, is_model)) {
-    throw ArgumentError("a query, or its nearest neighbour, is not one of the models");
+    throw ArgumentError("a query, or its nearest neighbour, is not one of the models 0 to " +
+                        std::to_string(models - 1));
   }
   Eigen::MatrixXi confusion = Eigen::MatrixXi::Zero(classes, classes);
   for (const Eigen::Index query : queries) {
@@ -30,7 +36,7 @@ Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::spa
 std::vector<std::size_t> worst_queries(const Evaluation& evaluation, std::string_view measure, std::size_t count) {
   const auto column = std::ranges::find(evaluation.measures, measure);
   if (column == evaluation.measures.end()) {
-    throw ArgumentError("the evaluation has no measure " + std::string(measure));
+    throw ArgumentError("the measure " + std::string(measure) + " was not evaluated; add it to the measures");
   }
   const auto values = evaluation.per_query.col(column - evaluation.measures.begin());
   std::vector<std::size_t> order = ascending_order(values);

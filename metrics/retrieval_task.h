@@ -26,16 +26,18 @@ struct RetrievalTask {
   std::vector<int> target_classes;  ///< class of each column; no_class if the column is not a target
   /// Per row: the column of the same model, which is excluded from the list of the query; -1 if there is none.
   std::vector<Eigen::Index> own_column;
-  /// Per row: the columns that are judged relevant, ascending. If empty, the targets of the class of the query are
-  /// relevant.
+  /// Per row: the columns that are judged relevant, ascending. If `judged` is empty, the targets of the class of the
+  /// query are relevant.
   std::vector<std::vector<Eigen::Index>> judged;
-  /// Per row: positive relevance grades of the columns in `judged`. If empty, all grades are 1. Only used by graded
-  /// measures.
+  /// Per row: positive relevance grades of the columns in `judged`. If `grades` is empty, all grades are 1. Only used
+  /// by graded measures.
   std::vector<std::vector<int>> grades;
-  /// Subclass of each row. If not empty, relevant columns have the grade subclass_grade() of row and column.
+  /// Subclass of each row, no_subclass for none. If the list is not empty, relevant columns have the grade
+  /// subclass_grade() of row and column.
   std::vector<int> query_subclasses{};
   std::vector<int> target_subclasses{};  ///< subclass of each column; empty if query_subclasses is empty
-  /// Per row: the columns that are judged as not relevant, ascending. If empty, all targets that are not relevant.
+  /// Per row: the columns that are judged as not relevant, ascending. If `judged_irrelevant` is empty, all targets that
+  /// are not relevant.
   std::vector<std::vector<Eigen::Index>> judged_irrelevant;
 };
 
@@ -62,8 +64,9 @@ std::vector<std::size_t> relevant_counts(const RetrievalTask& task);
 /// The task must outlive the object.
 class Relevance {
  public:
-  explicit Relevance(const RetrievalTask& task);
+  explicit Relevance(const RetrievalTask& task);  ///< counts the relevant targets of each row
 
+  /// Returns the task of the constructor.
   [[nodiscard]] const RetrievalTask& task() const { return *task_; }
 
   /// Returns true if the column is a target and not the query in the row itself.
@@ -87,10 +90,10 @@ class Relevance {
   [[nodiscard]] std::vector<double> grades(Eigen::Index row) const;
 
  private:
-  const RetrievalTask* task_;
+  const RetrievalTask* task_;                                            // task of the constructor, never null
   std::vector<std::size_t> relevant_;                                    // number of relevant targets per row
-  std::size_t targets_ = 0;                                              // number of targets
-  std::unordered_map<int, std::vector<Eigen::Index>> columns_of_class_;  // targets per class, if subclasses exist
+  std::size_t targets_ = 0;                                              // number of columns that are targets
+  std::unordered_map<int, std::vector<Eigen::Index>> columns_of_class_;  // target columns per class, with subclasses
 };
 
 }  // namespace shapegauge

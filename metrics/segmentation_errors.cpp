@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -31,24 +32,34 @@ struct ContingencyTable {
   double squares = 0;  ///< sum of the elements' squared weights
 };
 
+void check_sizes(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth) {
+  if (labels.size() == truth.size()) return;
+  throw ArgumentError("the segmentations have " + std::to_string(labels.size()) + " and " +
+                      std::to_string(truth.size()) + " labels; expected one per triangle in both");
+}
+
 ContingencyTable contingency_table(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                                    std::span<const double> weights) {
-  if (labels.empty()) throw ArgumentError("a segmentation needs at least one element");
-  if (labels.size() != truth.size()) throw ArgumentError("two segmentations need the same number of elements");
-  if (!weights.empty() && weights.size() != labels.size()) throw ArgumentError("each element needs one weight");
+  if (labels.empty()) throw ArgumentError("a segmentation needs the labels of at least one triangle");
+  check_sizes(labels, truth);
+  if (!weights.empty() && weights.size() != labels.size()) {
+    throw ArgumentError("there are " + std::to_string(weights.size()) + " weights for " +
+                        std::to_string(labels.size()) + " triangles");
+  }
   ContingencyTable table;
   std::vector<Overlap> elements;
   elements.reserve(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double weight = weights.empty() ? 1 : weights[i];
     if (!(weight >= 0 && std::isfinite(weight))) {
-      throw ArgumentError("the weight of an element must be a finite number, at least 0");
+      throw ArgumentError("the weight of triangle " + std::to_string(i) + " is " + std::to_string(weight) +
+                          "; it must be finite and at least 0");
     }
     elements.push_back({labels[i], truth[i], weight});
     table.total += weight;
     table.squares += weight * weight;
   }
-  if (!(table.total > 0)) throw ArgumentError("at least one element needs a positive weight");
+  if (!(table.total > 0)) throw ArgumentError("the weights of all triangles are 0; at least one must be positive");
   const auto key = [](const Overlap& o) { return std::pair(o.label, o.truth); };
   std::ranges::stable_sort(elements, {}, key);
   for (const Overlap& element : elements) {
@@ -205,13 +216,19 @@ void check_edges(std::size_t triangles, const std::vector<MeshEdge>& edges, std:
   const auto is_triangle = [&](std::int32_t f) { return f >= 0 && static_cast<std::size_t>(f) < triangles; };
   for (const MeshEdge& edge : edges) {
     for (const std::int32_t v : edge.vertices) {
-      if (v < 0 || v >= vertices) throw ArgumentError("an edge refers to a vertex that does not exist");
+      if (v < 0 || v >= vertices) {
+        throw ArgumentError("an edge refers to vertex " + std::to_string(v) + ", but there are " +
+                            std::to_string(vertices) + ", numbered from 0");
+      }
     }
     if (!is_triangle(edge.triangles[0]) || (edge.triangles[1] != -1 && !is_triangle(edge.triangles[1]))) {
-      throw ArgumentError("an edge refers to a triangle that does not exist");
+      throw ArgumentError("an edge refers to triangles " + std::to_string(edge.triangles[0]) + " and " +
+                          std::to_string(edge.triangles[1]) + ", but there are " + std::to_string(triangles) +
+                          ", numbered from 0");
     }
     if (!(edge.length >= 0 && std::isfinite(edge.length))) {
-      throw ArgumentError("the length of an edge must be a finite number, at least 0");
+      throw ArgumentError("the length of an edge is " + std::to_string(edge.length) +
+                          "; it must be finite and at least 0");
     }
   }
 }
@@ -272,8 +289,10 @@ SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std
 
 double cut_discrepancy(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                        const std::vector<MeshEdge>& edges, std::int32_t vertices, double radius) {
-  if (labels.size() != truth.size()) throw ArgumentError("two segmentations need the same number of elements");
-  if (!(radius > 0 && std::isfinite(radius))) throw ArgumentError("the radius must be positive");
+  check_sizes(labels, truth);
+  if (!(radius > 0 && std::isfinite(radius))) {
+    throw ArgumentError("the radius is " + std::to_string(radius) + "; it must be positive and finite");
+  }
   check_edges(labels.size(), edges, vertices);
   const std::vector<double> found = cut_lengths(labels, edges, vertices);
   const std::vector<double> wanted = cut_lengths(truth, edges, vertices);

@@ -15,20 +15,24 @@ namespace shapegauge {
 /// Golovinskiy, Funkhouser: "A benchmark for 3D mesh segmentation", ACM Transactions on Graphics 28(3), 2009, section
 /// 4). 0 for equal segmentations; all but the cut discrepancy are fractions from 0 to 1.
 struct SegmentationErrors {
-  double rand_index = 0;
-  double hamming = 0;
-  double missing_rate = 0;
-  double false_alarm_rate = 0;
+  double rand_index = 0;  ///< 1 - Rand index: share of pairs of triangles that share a segment in only one segmentation
+  double hamming = 0;     ///< mean of missing_rate and false_alarm_rate
+  double missing_rate = 0;      ///< share of the surface outside each true segment's largest overlap with a segment
+  double false_alarm_rate = 0;  ///< missing_rate with the two segmentations exchanged
+  /// Mean share of a triangle's segment outside its segment in the other segmentation; the smaller of both directions.
   double global_consistency = 0;
+  /// Like global_consistency, but the mean over triangles of the smaller share of both directions.
   double local_consistency = 0;
-  double cut_discrepancy = 0;  ///< cut discrepancy in mean radii of the surface; NaN if undefined or not computed
+  /// Mean distance of one segmentation's borders to the other's plus the reverse, in mean radii of the surface; NaN if
+  /// undefined or not computed.
+  double cut_discrepancy = 0;
 };
 
 /// Name, definition and member of SegmentationErrors of one segmentation error, for listings and reports.
 struct SegmentationErrorEntry {
-  std::string_view name;
-  std::string_view definition;
-  double SegmentationErrors::*value;
+  std::string_view name;              ///< name of the error in tables and options
+  std::string_view definition;        ///< definition of the error as a phrase
+  double SegmentationErrors::*value;  ///< member with the value of the error
 };
 
 /// Returns the names and definitions of all segmentation errors, in the order of reports.
@@ -61,7 +65,7 @@ inline constexpr std::array<std::string_view, 2> words_of<TriangleWeights>{"face
 struct MeshEdge {
   std::array<std::int32_t, 2> vertices{};   ///< indices of the two end points
   std::array<std::int32_t, 2> triangles{};  ///< indices of triangles; the second is -1 at a boundary edge (not a cut)
-  double length = 0;
+  double length = 0;                        ///< length of the edge, finite and not negative
 };
 
 /// Computes the cut discrepancy: the mean distance of the first segmentation's cuts to the second's plus the mean

@@ -37,11 +37,12 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
   if (options.resamples < 1) {
     throw ArgumentError("a randomisation test needs at least one resample, not " + std::to_string(options.resamples));
   }
-  if (differences.size() == 0) throw ArgumentError("no units for a randomisation test");
+  if (differences.size() == 0)
+    throw ArgumentError("a randomisation test needs at least one difference, and there is none");
   const Eigen::VectorXd terms = differences.cwiseProduct(weights);
   // Relative to the summed magnitudes: the rounding of sums depends on order and signs.
   const double observed = std::abs(terms.sum()) - score_rounding * terms.cwiseAbs().sum();
-  const int as_extreme = parallel_reduce_parts(
+  const int as_extreme = interruptible_parallel_reduce(
       tbb::blocked_range<int>(0, options.resamples), 0,
       [&](const tbb::blocked_range<int>& range, int count) {
         for (int resample = range.begin(); resample < range.end(); ++resample) {
@@ -55,7 +56,9 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
 }
 
 double paired_t_p_value(const Eigen::VectorXd& differences) {
-  if (differences.size() < 2) throw ArgumentError("a paired t-test needs at least two differences");
+  if (differences.size() < 2) {
+    throw ArgumentError("a paired t-test needs at least two differences, not " + std::to_string(differences.size()));
+  }
   const auto count = static_cast<double>(differences.size());
   const double mean = differences.mean();
   const double variance = (differences.array() - mean).square().sum() / (count - 1);
@@ -84,9 +87,13 @@ Eigen::VectorXd shuffled_averages(const UnitValues& units, RandomNumbers random)
 
 Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOptions& options) {
   if (options.resamples < 1) {
-    throw ArgumentError("a randomised test needs at least one resample, not " + std::to_string(options.resamples));
+    throw ArgumentError("a randomised Tukey test needs at least one resample, not " +
+                        std::to_string(options.resamples));
   }
-  if (units.values.size() == 0) throw ArgumentError("a randomised Tukey test needs at least one query");
+  if (units.values.size() == 0) {
+    throw ArgumentError("a randomised Tukey test needs at least one query and method, not " +
+                        std::to_string(units.values.rows()) + " and " + std::to_string(units.values.cols()));
+  }
   std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
   parallel_for(0, options.resamples, [&](int resample) {
     const Eigen::VectorXd averages =
@@ -108,7 +115,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
   return p_values;
 }
 
-double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options) {
+double min_attainable_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options) {
   if (methods < 2 || units < 2) return 1;
   const auto k = static_cast<double>(methods);
   return std::max(1.0 / (1.0 + options.resamples), std::pow(k * (k - 1), 1.0 - static_cast<double>(units)));
@@ -127,7 +134,9 @@ std::vector<double> adjust_by_holm(std::span<const double> p_values) {
 }
 
 double effect_size(const Eigen::VectorXd& differences) {
-  if (differences.size() < 2) throw ArgumentError("an effect size needs at least two differences");
+  if (differences.size() < 2) {
+    throw ArgumentError("an effect size needs at least two differences, not " + std::to_string(differences.size()));
+  }
   const double mean = differences.mean();
   if (mean == 0) return 0;
   const Eigen::ArrayXd deviations = differences.array() - mean;

@@ -10,9 +10,9 @@
 namespace shapegauge {
 
 /// Computes the two-sided p-value of a paired randomisation (permutation) test. Under the null hypothesis the two
-/// methods are exchangeable in each unit. The p-value is (1 + #) / (B + 1), where # counts those of B random exchanges
-/// whose difference of averages is at least as far from 0 as the observed one; it is never 0. `differences` and
-/// `weights` have one entry per unit. Fisher, "The design of experiments", 1935; for retrieval: Smucker, Allan,
+/// methods are exchangeable in each resampling unit. The p-value is (1 + #) / (B + 1), where # counts those of B random
+/// exchanges whose difference of averages is at least as far from 0 as the observed one; it is never 0. `differences`
+/// and `weights` have one entry per unit. Fisher, "The design of experiments", 1935; for retrieval: Smucker, Allan,
 /// Carterette, CIKM 2007. Throws ArgumentError without resamples or units.
 double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
                              const ResamplingOptions& options = {});
@@ -35,7 +35,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
 /// methods within n units gives one of any two methods the largest and the other the smallest value of each unit with
 /// probability (k (k - 1))^(1 - n). With B resamples no p-value is below 1 / (B + 1). 1 for fewer than two methods or
 /// units.
-double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options);
+double min_attainable_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options);
 
 /// Adjusts p-values for multiple testing by Holm's method, which controls the family-wise error rate under any
 /// dependence. With p-values in ascending order, the i-th of m becomes the maximum of (m - j + 1) p_j for j <= i, at
@@ -51,9 +51,9 @@ double effect_size(const Eigen::VectorXd& differences);
 
 /// Number of queries or data sets on which the first of two methods has the larger, the same and the smaller value.
 struct WinTieLoss {
-  Eigen::Index wins = 0;
-  Eigen::Index ties = 0;
-  Eigen::Index losses = 0;
+  Eigen::Index wins = 0;    ///< number of queries or data sets with a larger value of the first method
+  Eigen::Index ties = 0;    ///< number of queries or data sets with equal values (are_equal_scores())
+  Eigen::Index losses = 0;  ///< number of queries or data sets with a smaller value of the first method
 };
 
 /// Counts positive, zero and negative entries of the score_differences() of two methods, first minus second.

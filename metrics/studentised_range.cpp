@@ -6,6 +6,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "shapegauge/core/base/error.h"
 
@@ -14,7 +15,7 @@ namespace shapegauge {
 namespace {
 
 void check_count(std::size_t count) {
-  if (count < 2) throw ArgumentError("the studentised range needs at least two groups");
+  if (count < 2) throw ArgumentError("the studentised range needs at least two groups, not " + std::to_string(count));
 }
 
 }  // namespace
@@ -38,7 +39,9 @@ double studentised_range_probability(double range, std::size_t count) {
 
 double studentised_range_quantile(double alpha, std::size_t count) {
   check_count(count);
-  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a significance level must be between 0 and 1");
+  if (!(alpha > 0 && alpha < 1)) {
+    throw ArgumentError("the significance level is " + std::to_string(alpha) + "; it must be between 0 and 1");
+  }
   const auto excess = [&](double range) { return studentised_range_probability(range, count) - (1 - alpha); };
   double high = 4;
   constexpr double most = 64;  // exceeded with a probability that is 0 in double precision

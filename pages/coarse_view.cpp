@@ -142,10 +142,10 @@ Shape coarse_shape(const Shape& shape, Eigen::Index faces) {
   return cloud;
 }
 
-CarriedValues::CarriedValues(const Samples& from, const Samples& to)
+ValueTransfer::ValueTransfer(const Samples& from, const Samples& to)
     : weights_(from.weights), target_of_(nearest_places(from, to)), nearest_to_(nearest_places(to, from)) {}
 
-Eigen::VectorXd CarriedValues::means(const Eigen::VectorXd& values) const {
+Eigen::VectorXd ValueTransfer::means(const Eigen::VectorXd& values) const {
   const auto count = std::ssize(nearest_to_);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(count);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
@@ -161,7 +161,7 @@ Eigen::VectorXd CarriedValues::means(const Eigen::VectorXd& values) const {
   return sums;
 }
 
-Points CarriedValues::directions(const Points& directions) const {
+Points ValueTransfer::directions(const Points& directions) const {
   Points sums = Points::Zero(std::ssize(nearest_to_), 3);
   for (std::size_t i = 0; i < target_of_.size(); ++i) {
     const auto from = static_cast<Eigen::Index>(i);
@@ -175,7 +175,7 @@ Points CarriedValues::directions(const Points& directions) const {
   return sums;
 }
 
-std::vector<std::int32_t> CarriedValues::labels(const std::vector<std::int32_t>& labels) const {
+std::vector<std::int32_t> ValueTransfer::labels(const std::vector<std::int32_t>& labels) const {
   std::vector<std::map<std::int32_t, double>> areas(nearest_to_.size());
   for (std::size_t i = 0; i < target_of_.size(); ++i) {
     areas[static_cast<std::size_t>(target_of_[i])][labels[i]] += weights_[static_cast<Eigen::Index>(i)];
@@ -193,7 +193,7 @@ ShapeView coarse_view(ShapeView view, const Samples& samples, Eigen::Index faces
   if (coarse.vertices.rows() == view.shape.vertices.rows() && coarse.triangles.rows() == view.shape.triangles.rows()) {
     return view;
   }
-  const CarriedValues carried(samples, sample_shape(coarse, view.site));
+  const ValueTransfer carried(samples, sample_shape(coarse, view.site));
   for (ViewField& field : view.fields) field.values = carried.means(field.values);
   if (view.normals.rows() > 0) view.normals = carried.directions(view.normals);
   for (ViewParts& parts : view.parts) parts.labels = carried.labels(parts.labels);

@@ -11,7 +11,7 @@
 
 namespace shapegauge {
 
-/// Cache version of coarse_shape() and CarriedValues; increment when results change (docs/manual/cache.md).
+/// Cache version of coarse_shape() and ValueTransfer; increment when results change (docs/manual/cache.md).
 inline constexpr int coarse_shape_version = 2;
 
 /// Simplifies a shape for display to at most `faces` >= 100 faces, however broken the mesh is. Uses decimate().
@@ -23,9 +23,9 @@ Shape coarse_shape(const Shape& shape, Eigen::Index faces);
 /// Transfers values from samples of a shape (sources) to samples of a coarser shape (targets). A target gets the mean
 /// of all sources to which it is the nearest target or, without any, the value of its nearest source. The nearest
 /// sample is the first of the four nearest whose normal is not opposite, which separates the sides of thin sheets.
-class CarriedValues {
+class ValueTransfer {
  public:
-  CarriedValues(const Samples& from, const Samples& to);
+  ValueTransfer(const Samples& from, const Samples& to);  ///< matches the sources `from` with the targets `to`
 
   /// Returns the area-weighted mean of the source values for each target, ignoring NaN.
   [[nodiscard]] Eigen::VectorXd means(const Eigen::VectorXd& values) const;
@@ -41,7 +41,7 @@ class CarriedValues {
 };
 
 /// Simplifies the shape of a view by coarse_shape() and transfers the view's fields, parts and normals to it. `samples`
-/// are the samples of view.shape at view.site.
+/// are the samples of view.shape at view.site, `faces` is the maximum number of faces.
 ShapeView coarse_view(ShapeView view, const Samples& samples, Eigen::Index faces);
 
 }  // namespace shapegauge

@@ -5,10 +5,10 @@
 
 namespace shapegauge {
 
-/// Embeds models in the plane by their distances: classical multidimensional scaling (Torgerson 1952). The largest
-/// finite distance replaces infinite ones; both directions are averaged. The result has one row per model, is
-/// centred, and has the longer axis first; the largest coordinate of each axis by magnitude is positive. Models without
-/// finite distances have NaN.
+/// Embeds models in the plane by their distances, models x models: classical multidimensional scaling (Torgerson 1952).
+/// The largest finite distance replaces infinite ones; d(i, j) and d(j, i) are averaged. The result has one row per
+/// model, is centred, and has the longer axis first; the largest coordinate of each axis by magnitude is positive.
+/// Models without finite distances have NaN.
 Eigen::MatrixX2d plane_embedding(const Eigen::MatrixXd& distances);
 
 }  // namespace shapegauge

@@ -57,8 +57,8 @@ std::string script_data(const nlohmann::ordered_json& json) {
   return replaced(text, "<", "\\u003c");
 }
 
-std::string filled_page(std::string_view page,
-                        std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents) {
+std::string fill_placeholders(std::string_view page,
+                              std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents) {
   std::string result;
   for (const auto& [mark, content] : marks_and_contents) {
     const std::size_t found = page.find(mark);
@@ -83,7 +83,7 @@ std::string scripted_page(const ScriptedPage& contents) {
                                                                             {"{{libraries}}", libraries},
                                                                             {"{{data}}", data},
                                                                             {"{{script}}", contents.script}}};
-  return filled_page(page_files::frame(), marks);
+  return fill_placeholders(page_files::frame(), marks);
 }
 
 }  // namespace shapegauge

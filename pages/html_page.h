@@ -24,15 +24,15 @@ std::string html_text(std::string_view text);
 /// Formats JSON for a script element: `<` is escaped, and so is invalid UTF-8 (escaped_json()).
 std::string script_data(const nlohmann::ordered_json& json);
 
-/// Returns a page with its placeholders (marks), such as {{data}}, replaced by contents. The marks must be listed in
-/// the order of the page. Contents are not searched for marks.
-std::string filled_page(std::string_view page,
-                        std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
+/// Returns an HTML page with its placeholders (marks), such as {{data}}, replaced by contents. The marks must be listed
+/// in the order in which they occur on the page. Contents are not searched for marks.
+std::string fill_placeholders(std::string_view page,
+                              std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
 
 /// Contents of an HTML page that JavaScript draws.
 struct ScriptedPage {
   std::string_view title;                   ///< title of the page as plain text
-  std::string_view kind;                    ///< kind of page, such as "report"
+  std::string_view kind;                    ///< word for the kind of page in its title and heading, such as "report"
   std::string_view main;                    ///< HTML of the main part, which `script` fills
   std::vector<std::string_view> styles;     ///< CSS of this page, applied after the CSS of all pages
   std::vector<std::string_view> libraries;  ///< JavaScript libraries that `script` needs
@@ -49,27 +49,27 @@ namespace page_files {
 std::string_view frame();         ///< HTML frame of all pages, with placeholders such as {{data}}
 std::string_view common_style();  ///< CSS of all pages, used after palette_style()
 
-std::string_view view_page();    ///< HTML of the page of `shapegauge view`
+std::string_view view_page();    ///< HTML of the main part of the page of `shapegauge view`
 std::string_view view_style();   ///< CSS of interactive views
 std::string_view view_script();  ///< script of view_page(); needs chart_library() and shape_library()
 
-std::string_view report_page();
-std::string_view report_style();
+std::string_view report_page();    ///< HTML of the main part of reports
+std::string_view report_style();   ///< CSS of reports
 std::string_view report_script();  ///< script of reports; needs chart_library(), and shape_library() for views
 
-std::string_view leaderboard_page();
+std::string_view leaderboard_page();    ///< HTML of the main part of leaderboards
 std::string_view leaderboard_style();   ///< CSS of leaderboards, used after report_style()
 std::string_view leaderboard_script();  ///< script of leaderboards; needs chart_library()
 
-std::string_view search_page();
-std::string_view search_style();
+std::string_view search_page();    ///< HTML of the main part of search pages
+std::string_view search_style();   ///< CSS of search pages
 std::string_view search_script();  ///< script of search pages; needs chart_library() and shape_library()
 
-std::string_view multi_dataset_page();
+std::string_view multi_dataset_page();    ///< HTML of the main part of multi-dataset pages
 std::string_view multi_dataset_style();   ///< CSS of multi-dataset pages, used after report_style()
 std::string_view multi_dataset_script();  ///< script of multi-dataset pages; needs chart_library()
 
-std::string_view segmentation_page();
+std::string_view segmentation_page();    ///< HTML of the main part of segmentation pages
 std::string_view segmentation_style();   ///< CSS of segmentation pages, used after view_style() and report_style()
 std::string_view segmentation_script();  ///< script of segmentation pages; needs chart_library() and shape_library()
 

@@ -16,7 +16,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 /// What charts read, and the number of queries.
 OrderedJson entry_evaluation_json(const Evaluation& evaluation, bool hide_classes) {
-  OrderedJson json = charted_json(evaluation);
+  OrderedJson json = chart_data_json(evaluation);
   json["queries"] = evaluation.queries.size();
   if (hide_classes) json["classes"] = json["per_class"] = OrderedJson::array();
   return json;

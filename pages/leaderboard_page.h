@@ -12,37 +12,34 @@ namespace shapegauge {
 
 /// Entry of a leaderboard: a method with its description and evaluation.
 struct LeaderboardEntry {
-  std::string name;
-  std::string authors;
-  std::string paper;
-  std::string url;   ///< web address, with http:// or https://; empty for none
-  std::string file;  ///< name of the submitted file
-  std::string page;  ///< relative address of the method's own page; empty for none
-  const Evaluation* evaluation = nullptr;
-  std::vector<std::string> warnings;
-  /// Standard deviations of the micro or macro averages over repetitions of the method, one per measure; empty without
-  /// repetitions.
-  /// @{
-  Eigen::VectorXd micro_deviation{};
-  Eigen::VectorXd macro_deviation{};
-  /// @}
+  std::string name;                        ///< name of the method
+  std::string authors;                     ///< authors of the method; empty if unknown
+  std::string paper;                       ///< reference to the publication; empty if unknown
+  std::string url;                         ///< web address, with http:// or https://; empty for none
+  std::string file;                        ///< name of the submitted file
+  std::string page;                        ///< relative address of the method's own page; empty for none
+  const Evaluation* evaluation = nullptr;  ///< scores of the method; never null
+  std::vector<std::string> warnings;       ///< warnings about the submission
+  // Standard deviations over repetitions of the method, one per measure; empty without repetitions.
+  Eigen::VectorXd micro_deviation{};  ///< standard deviation of each average over queries; empty without repetitions
+  Eigen::VectorXd macro_deviation{};  ///< standard deviation of each average over classes; empty without repetitions
 };
 
 /// Contents of a leaderboard. Everything it points to must outlive it. Evaluations are of the same queries, under one
 /// protocol, with the same measures.
 struct LeaderboardPage {
-  std::string title;
+  std::string title;                                       ///< title of the page
   std::vector<std::pair<std::string, std::string>> facts;  ///< facts about the evaluation: pairs of heading and text
-  std::vector<std::string> classes;                        ///< names of the classes, indexed by label; empty if hidden
-  std::vector<int> labels;                                 ///< class label of each target
+  std::vector<std::string> classes;                        ///< names of the classes; empty if they are hidden
+  std::vector<int> labels;                                 ///< index in `classes` of the class of each target
   std::vector<LeaderboardEntry> entries;                   ///< methods, best first; at least one
   std::vector<std::vector<MethodStanding>> micro;          ///< standings by averages over queries: [measure][entry]
   std::vector<std::vector<MethodStanding>> macro;          ///< standings by averages over classes: [measure][entry]
   std::size_t rank_by = 0;                                 ///< index of the measure that is shown first
-  std::string significance;  ///< explanation of intervals and groups, one or more sentences
+  std::string significance;  ///< explanation of confidence intervals and significance groups, one or more sentences
   std::vector<std::pair<std::string, std::string>> refused;  ///< names of omitted submissions and the reasons
-  std::string csv;                                           ///< table for download, as CSV
-  std::string latex;                                         ///< table for download, as LaTeX
+  std::string csv;                                           ///< leaderboard as CSV, for download
+  std::string latex;                                         ///< leaderboard as LaTeX, for download
 };
 
 /// Renders the leaderboard as one self-contained HTML file. The same leaderboard gives the same bytes.

@@ -14,7 +14,7 @@ namespace shapegauge {
 inline constexpr int no_level = 65535;          ///< two-byte level that represents a missing value
 inline constexpr int top_level = 65534;         ///< maximum two-byte level of a value; the minimum level is 0
 inline constexpr int coordinate_level = 65535;  ///< maximum two-byte level of a coordinate; the minimum level is 0
-inline constexpr int direction_levels = 127;    ///< one-byte level of the coordinate 1 of a unit vector; -1 is -127
+inline constexpr int direction_levels = 127;    ///< one-byte level of the coordinate 1 of a unit vector; -127 for -1
 
 /// Appends the two bytes of a number from 0 to 65,535, little-endian.
 void append_short(std::string& bytes, long number);

@@ -46,7 +46,7 @@ Json intervals_json(const EvaluationIntervals& intervals) {
 }
 
 Json page_data_of_evaluation(const Evaluation& evaluation) {
-  Json json = charted_json(evaluation);
+  Json json = chart_data_json(evaluation);
   json["left_out"] = evaluation.excluded_models;
   json["queries"] = evaluation.queries;
   json["per_query"] = rounded_rows(evaluation.per_query);

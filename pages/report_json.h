@@ -10,7 +10,7 @@
 namespace shapegauge {
 
 /// Encodes non-negative numbers as {"scale", "values"}: packed_values() from 0 to the scale, which is the largest
-/// finite value, or 1.
+/// finite number, or 1 if none is positive.
 nlohmann::ordered_json packed_numbers(const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// Encodes the heat map of a distance matrix: {"side", "block", "symmetric", "scale", "values"}. It has `side` rows of

@@ -27,7 +27,7 @@ nlohmann::ordered_json rounded_rows(const Eigen::MatrixXd& scores) {
   return json;
 }
 
-nlohmann::ordered_json charted_json(const Evaluation& evaluation) {
+nlohmann::ordered_json chart_data_json(const Evaluation& evaluation) {
   return {{"protocol", name_of(evaluation.protocol)},
           {"measures", evaluation.measures},
           {"micro", rounded_scores(evaluation.micro)},

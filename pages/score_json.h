@@ -17,13 +17,13 @@ inline constexpr int score_digits = 6;
 /// Encodes scores as a JSON array, rounded to score_digits.
 nlohmann::ordered_json rounded_scores(const Eigen::Ref<const Eigen::VectorXd>& scores);
 
-/// Encodes a matrix of scores as a JSON array of its rows, rounded to score_digits.
+/// Encodes a matrix of scores as a JSON array of its rows, with scores rounded to score_digits.
 nlohmann::ordered_json rounded_rows(const Eigen::MatrixXd& scores);
 
-/// Encodes the data of an evaluation for the charts of averages, classes and precision-recall curves.
-nlohmann::ordered_json charted_json(const Evaluation& evaluation);
+/// Encodes the scores of an evaluation that pages draw: averages, scores per class and precision-recall curves.
+nlohmann::ordered_json chart_data_json(const Evaluation& evaluation);
 
-/// Encodes the cells of a table for textTable() of the pages' scripts.
+/// Encodes a table, cell by cell, for the function textTable() of the pages' scripts.
 nlohmann::ordered_json table_json(const TextTable& table);
 
 }  // namespace shapegauge

@@ -22,7 +22,7 @@ Json packed_shape(const SearchPageShape& shape) {
   return json;
 }
 
-Json packed_answer(const SearchPageAnswer& answer) {
+Json packed_answer(const SearchPageResult& answer) {
   constexpr int digits = 7;
   Json nearest = Json::array();
   for (const auto& [shape, distance] : answer.nearest) nearest.push_back({shape, rounded_to_digits(distance, digits)});
@@ -35,7 +35,7 @@ std::string search_page(const SearchPage& page) {
   std::vector<Json> shapes(page.shapes.size());
   parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) { shapes[i] = packed_shape(page.shapes[i]); });
   Json answers = Json::array();
-  for (const SearchPageAnswer& answer : page.answers) answers.push_back(packed_answer(answer));
+  for (const SearchPageResult& answer : page.answers) answers.push_back(packed_answer(answer));
   return scripted_page({.title = page.title,
                         .kind = "search",
                         .main = page_files::search_page(),

@@ -13,23 +13,23 @@ namespace shapegauge {
 
 /// Shape on a search page, either a query or a shape that was found.
 struct SearchPageShape {
-  std::string name;
+  std::string name;               ///< name of the shape
   std::optional<ShapeView> view;  ///< interactive view; absent if the file cannot be read
 };
 
-/// Nearest shapes of one query on a search page.
-struct SearchPageAnswer {
+/// Result of one query on a search page: its nearest shapes, or the reason why there are none.
+struct SearchPageResult {
   std::size_t query = 0;                                ///< index of the query in SearchPage::shapes
-  std::vector<std::pair<std::size_t, double>> nearest;  ///< indices in SearchPage::shapes and distances, nearest first
-  std::string failure = {};                             ///< reason for a missing answer; empty for none
+  std::vector<std::pair<std::size_t, double>> nearest;  ///< index in SearchPage::shapes and distance, nearest first
+  std::string failure = {};                             ///< reason why the query has no result; empty if it has one
 };
 
 /// Contents of the page of `shapegauge search`.
 struct SearchPage {
-  std::string title;
-  std::vector<std::string> facts;       ///< short texts below the title
-  std::vector<SearchPageShape> shapes;  ///< queries and shapes that were found
-  std::vector<SearchPageAnswer> answers;
+  std::string title;                      ///< title of the page
+  std::vector<std::string> facts;         ///< short texts below the title
+  std::vector<SearchPageShape> shapes;    ///< queries and found shapes
+  std::vector<SearchPageResult> answers;  ///< results, one per query
 };
 
 /// Renders the page as one self-contained HTML file: pictures of the shapes, and each next to its query in an

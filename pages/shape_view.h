@@ -20,29 +20,29 @@ namespace shapegauge {
 /// along a limb, would otherwise dominate the colour scale. Nothing if all values are missing.
 std::optional<Interval> central_range(const ScalarField& field);
 
-/// Colour of a shape without values.
+/// Colour of a shape that no field colours.
 inline constexpr Colour plain_colour = {198, 198, 194};
 
 /// Scalar field in a view: its values and their mapping to colours.
 struct ViewField {
   std::string name;
-  Eigen::VectorXd values;                ///< value of each element; NaN if missing
-  Interval colours;                      ///< values at the ends of the colour scale
-  bool set_range = false;                ///< true if `colours` is fixed; false if shapes may share a wider scale
-  bool logarithmic = false;              ///< true for a logarithmic colour scale, which begins above 0
-  std::optional<double> threshold = {};  ///< values below the threshold are red (below_threshold)
-  std::string_view measured_by = {};     ///< what the values are lengths of, see measured_by(); empty for none
+  Eigen::VectorXd values;    ///< value of each face, vertex or point; NaN if missing
+  Interval colours;          ///< values at the ends of the colour scale
+  bool set_range = false;    ///< true if `colours` is fixed; false if it may be widened to a scale common to all shapes
+  bool logarithmic = false;  ///< true for a logarithmic colour scale, which begins above 0
+  std::optional<double> threshold = {};  ///< values below it are red (below_threshold); absent for none
+  std::string_view measured_by = {};     ///< measured object: "ray", "ball" or "gap", see measured_by(); empty for none
   double unit = 1;                       ///< length that the value 1 represents, in coordinate units
 };
 
-/// Returns what a field's values are the lengths of, by the type of field: "ray", "ball" (diameter), "gap" (diameter of
-/// a ball outside the shape), or "" for nothing. A view draws it at the pointer.
+/// Returns the object that a field of this type measures: "ray" (its length), "ball" (its diameter), "gap" (diameter of
+/// a ball outside the shape), or "" for other fields. A view draws the object at the pointer.
 std::string_view measured_by(std::string_view field_type);
 
 /// Region of a shape in the list next to a view. A click on its text turns the view towards the region.
 struct ViewRegion {
-  std::string text;
-  Eigen::Vector3d position;
+  std::string text;                ///< text of the region in the list
+  Eigen::Vector3d position;        ///< point of the region at the centre of the view, in the shape's coordinates
   Eigen::Vector3d towards_viewer;  ///< direction from the region to the viewer
   double size = 0;                 ///< length that is visible around the position, in coordinate units
 };
@@ -50,26 +50,26 @@ struct ViewRegion {
 /// Segmentation in a view: part labels and colours.
 struct ViewParts {
   std::string name;
-  std::vector<std::int32_t> labels;  ///< part label of each element
+  std::vector<std::int32_t> labels;  ///< part label of each face, vertex or point
   std::vector<Colour> colours;       ///< colour of each part, indexed by label
 };
 
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.
 struct ShapeView {
   std::string name;
-  std::string note = {};  ///< text shown after the name; may be empty
-  Shape shape;
-  SampleSite site = SampleSite::faces;  ///< elements with values: faces or vertices; vertices for a cloud
-  std::vector<ViewField> fields = {};
-  std::vector<ViewParts> parts = {};  ///< one entry per segmentation
-  Points normals = {};                ///< unit or zero normal of each element; may be empty
-  Eigen::Vector3d up = {0, 0, 1};     ///< vertical direction of the initial view (upright_view())
-  std::vector<ViewRegion> regions = {};
+  std::string note = {};                 ///< text shown after the name; empty for none
+  Shape shape;                           ///< mesh or point cloud
+  SampleSite site = SampleSite::faces;   ///< elements with values: faces or vertices; vertices for a cloud
+  std::vector<ViewField> fields = {};    ///< scalar fields, from which the reader chooses
+  std::vector<ViewParts> parts = {};     ///< segmentations, from which the reader chooses
+  Points normals = {};                   ///< unit or zero normal of each face, vertex or point; empty for none
+  Eigen::Vector3d up = {0, 0, 1};        ///< vertical direction of the shape in the initial view (upright_view())
+  std::vector<ViewRegion> regions = {};  ///< regions listed next to the view
 };
 
 /// Encodes the view for the page's scripts (pages/view/shape_data.mjs): coordinates in 65,536 steps of the longest side
-/// of the box, values in 65,535 steps from minimum to maximum, without unused vertices. The initial position is
-/// upright_view(). Throws InputError for a shape without extent.
+/// of the bounding box, values in 65,535 steps from minimum to maximum, without unused vertices. The initial position
+/// is upright_view(). Throws InputError for a shape without extent.
 nlohmann::ordered_json shape_view_json(const ShapeView& view);
 
 /// Renders a square picture of the view in its initial position, coloured by its first field, as PNG bytes with a
@@ -79,10 +79,10 @@ std::string shape_view_picture(const ShapeView& view, int pixels);
 /// Contents of the page of `shapegauge view`.
 struct ViewPage {
   std::string title;
-  std::vector<ShapeView> shapes;     ///< views of the shapes, at least one
-  std::vector<std::string> missing;  ///< names of unusable shapes
-  std::vector<std::string> warnings = {};
-  std::string unit = {};  ///< unit of lengths; empty if unknown
+  std::vector<ShapeView> shapes;           ///< views of the shapes, at least one
+  std::vector<std::string> missing;        ///< names of unusable shapes
+  std::vector<std::string> warnings = {};  ///< warnings shown on the page
+  std::string unit = {};                   ///< unit of lengths; empty if unknown
 };
 
 /// Renders the page as one self-contained HTML file. The same shapes give the same bytes on any number of threads.

@@ -152,7 +152,7 @@ Evaluation unpickled(const py::object& state) {
   try {
     return decode<Evaluation>(py::isinstance<py::bytes>(state) ? state.cast<std::string>() : "");
   } catch (const DamagedBytes&) {
-    throw InputError("a pickle of scores is of another version of shapegauge");
+    throw InputError("the pickled scores are of another version of shapegauge; evaluate again");
   }
 }
 

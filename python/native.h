@@ -36,8 +36,8 @@ using PythonProgress = std::optional<std::function<void(std::string, std::size_t
 /// the result.
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress);
 
-/// Runs `work` with the lock of the Python interpreter (GIL) released, on at most `threads` threads (0: all), and
-/// returns its result. Ctrl-C stops it.
+/// Runs `work` with the lock of the Python interpreter (GIL) released, on at most `threads` threads (0: all cores),
+/// and returns its result. Ctrl-C stops the work and throws Python's KeyboardInterrupt.
 template <typename Work>
 auto compute(int threads, const Work& work) {
   std::optional<decltype(work())> result;
@@ -47,8 +47,8 @@ auto compute(int threads, const Work& work) {
   return std::move(*result);
 }
 
-/// Returns the value of an enumeration with this word (words_of). Throws InputError for an unknown word; the message
-/// names it as a `kind`.
+/// Returns the value of an enumeration that a word names (words_of). Throws InputError for an unknown word; `kind`
+/// names the enumeration in the message, such as "protocol".
 template <typename Enumeration>
 Enumeration known_word(const char* kind, const std::string& word) {
   if (const auto value = value_of_word<Enumeration>(word)) return *value;
@@ -57,7 +57,7 @@ Enumeration known_word(const char* kind, const std::string& word) {
                                fmt::join(words.begin(), words.end() - 1, ", "), words.back()));
 }
 
-/// Makes a NumPy array that owns the matrix, without copying; one-dimensional for a column vector.
+/// Converts an Eigen matrix to a NumPy array that owns it, without copying; one-dimensional for a column vector.
 template <typename Matrix>
 pybind11::array array_of(Matrix&& matrix) {
   auto owned = std::make_unique<std::decay_t<Matrix>>(std::forward<Matrix>(matrix));
@@ -75,18 +75,18 @@ pybind11::array array_of(Matrix&& matrix) {
   }
 }
 
-/// Makes a shape from arrays of vertices (n x 3), faces and normals; faces and normals may be empty. Throws InputError
-/// if the shape is not usable (require_usable()).
+/// Makes a shape from arrays of vertices (n x 3), triangles (`faces`, m x 3 vertex indices) and vertex normals (n x 3);
+/// triangles and normals may be empty. Throws InputError if the shape is not usable (require_usable()).
 Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals);
 
-/// Each adds functions to the Python module, by topic.
+/// Adds the functions of one topic, which the name states, to the Python module.
 /// @{
-void bind_shapes(pybind11::module_& module);
-void bind_check(pybind11::module_& module);
-void bind_evaluation(pybind11::module_& module);
-void bind_comparison(pybind11::module_& module);
-void bind_search(pybind11::module_& module);
+void bind_shapes(pybind11::module_& module);      ///< adds functions on shapes, fields, segments and descriptors
+void bind_check(pybind11::module_& module);       ///< adds the function that checks thin walls and narrow gaps
+void bind_evaluation(pybind11::module_& module);  ///< adds functions that evaluate distance matrices
+void bind_comparison(pybind11::module_& module);  ///< adds functions that compare retrieval methods
+void bind_search(pybind11::module_& module);      ///< adds functions that search an index of shapes
 /// Adds settings(), which returns all settings of fields, descriptors and experiments with their descriptions as JSON.
 void bind_settings(pybind11::module_& module);
 /// @}

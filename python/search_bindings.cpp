@@ -59,13 +59,13 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   run_interruptibly(cancellation, [&] {
     SearchMethod method = method_of(wanted);
     if (!update) {
-      opened->index = open_index_as_it_is(std::move(method), collection, place);
-      keep_in_memory(opened->index.contents);
+      opened->index = open_index_without_update(std::move(method), collection, place);
+      copy_tables_to_memory(opened->index.contents);
       return;
     }
     IndexUpdate done;
     opened->index = open_index(std::move(method), collection, place, control, *opened->cache, done);
-    keep_in_memory(opened->index.contents);
+    copy_tables_to_memory(opened->index.contents);
     opened->notes = std::move(done.notes);
     for (const LeftOutShape& one : done.left_out) opened->left_out.push_back(one.id + ": " + one.message);
   });

@@ -75,7 +75,7 @@ CleanedShape cleaned(Shape shape, bool remove) {
   result.removed = outliers(shape);
   if (const auto count = std::ranges::count(result.removed, true); count > 0) {
     result.warnings.push_back(outlier_text(static_cast<std::size_t>(count), shape.vertices.rows()) +
-                              "; they have no results");
+                              "; these points have no results");
   }
   result.shape = without_outliers(std::move(shape));
   return result;
@@ -145,7 +145,7 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
   auto [labels, warnings] = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "segmentation_method", "the segmentation");
-    if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
+    if (json.contains("perturbations")) throw InputError("perturbations are settings of experiments; use run()");
     const SegmentationMethod method = segmentation_method(json);
     const CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers);
     const Shape& shape = clean.shape;
@@ -175,7 +175,7 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     const DescriptorChoice choice = make_descriptor(json);
     if (needs_learning(choice.descriptor, choice.values)) {
       throw InputError("the descriptor " + std::string(choice.descriptor.name) +
-                       " learns from a whole data set: describe one by a configuration, with run()");
+                       " learns from a whole data set; use run() with a configuration");
     }
     CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers);
     const Shape shape = prepare_shape(std::move(clean.shape), {}).shape;
@@ -202,7 +202,7 @@ void bind_shapes(py::module_& module) {
                          const Eigen::Ref<const Triangles>& faces, const Eigen::Ref<const Points>& normals) {
     const py::gil_scoped_release released;
     const Shape shape = shape_of(vertices, faces, normals);
-    shape_writer(path)(path, shape);
+    shape_writer(path)(path, shape, {});
     return precision_warning(path, shape);
   });
   module.def("field", &field);

@@ -32,7 +32,7 @@ LocalScales local_scales_of(Eigen::Index models, const RowSource& rows, std::vec
 
 /// Computes distances_at_ranks() of a term's models, after local scaling.
 DistanceMatrix scaled_at_ranks(Eigen::Index models, const RowSource& rows, const LocalScales& scales) {
-  DistanceMatrix at_ranks(models, count_of_ranks(models));
+  DistanceMatrix at_ranks(models, sampled_rank_count(models));
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
       const Eigen::Index model = first + i;
@@ -47,7 +47,7 @@ double unit_of(Eigen::Index models, const RowSource& rows, DistanceScale scale, 
   const double unit = distance_unit(rows(0, models), scale);
   if (unit > 0) return unit;
   throw ArgumentError("the median or mean of the distances of term " + std::to_string(term) +
-                      " (counted from 0) is 0: it cannot be divided by it");
+                      " (counted from 0) is 0; use another scale");
 }
 
 }  // namespace

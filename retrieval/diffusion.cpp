@@ -22,13 +22,14 @@ constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                             "Number of neighbours in the random walk, about half of a class.",
+                                             "Number of neighbours in the random walk, about half of a class; a list "
+                                             "(auto: 4, 5, 7, 10, 14, 20) is averaged.",
                                              automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
-                                          "Probability that a random walk continues."),
+                                          "Probability that a random walk continues; higher reaches farther."),
     option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
                                       "Weight of the original distance, which breaks ties."),
-    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the original nearest neighbour of each model."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep each model's original nearest neighbour."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 
@@ -36,7 +37,7 @@ void check(const DiffusionOptions& options) { check_options("diffusion", diffusi
 
 /// Contribution of the original distances to the new ones.
 struct OriginalShare {
-  double factor = 1;   ///< safe_factor()
+  double factor = 1;   ///< overflow_safe_factor()
   double share = 0;    ///< of distances that are multiplied by the factor
   double largest = 0;  ///< contribution of the largest finite distance
 
@@ -141,7 +142,7 @@ struct Diffusion {
   }
 
   static OriginalShare original_of(const NearestModels& nearest, double tie) {
-    const double factor = safe_factor(nearest.largest);
+    const double factor = overflow_safe_factor(nearest.largest);
     return {tie, mean_distance(with_scaled_distances(nearest, factor).distances), factor, nearest.largest};
   }
 };
@@ -362,7 +363,7 @@ std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::I
   return found;
 }
 
-NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances, int k) {
+NearestModels append_query(NearestModels nearest, const Eigen::VectorXd& distances, int k) {
   const Eigen::Index models = nearest.indices.rows();
   const Eigen::Index before = nearest.indices.cols();
   const Eigen::Index count = std::clamp<Eigen::Index>(models, 0, k);

@@ -19,7 +19,7 @@ struct DiffusionOptions {
   IntegerList neighbours = 12;
   double damping = 0.95;      ///< probability that the random walk continues, from 0 to below 1
   double tie = 1e-4;          ///< weight of the original distance, from 0 to 1, which breaks ties after diffusion
-  bool keep_nearest = false;  ///< keep the original nearest neighbour of each model as its nearest
+  bool keep_nearest = false;  ///< true: the nearest neighbour of a model before diffusion stays the nearest
 };
 
 /// Computes the symmetric normalised affinity matrix of a random walk on the k nearest neighbours. The matrix W has the
@@ -28,7 +28,7 @@ struct DiffusionOptions {
 /// returns D^-1/2 A D^-1/2. k is limited to the available neighbours.
 WalkGraph diffusion_graph(const NearestModels& nearest, int k);
 
-/// Computes `count` rows, from `first` on, of the diffused affinities F = (I - damping graph)^-1 (Zhou et al. 2004;
+/// Computes `count` rows, from row `first` on, of the diffused affinities F = (I - damping graph)^-1 (Zhou et al. 2004;
 /// Donoser and Bischof 2013). Solves the sparse system for several rows at once by Chebyshev iteration, without an
 /// inverse. The error is about 1e-6 of the largest affinity for a damping of at most 0.999; single precision makes it
 /// 1e-5 at 0.9999 and 4e-4 at 0.99999. The damping is from 0 to below 1.
@@ -49,8 +49,9 @@ Eigen::VectorXd diffused_diagonal(const WalkGraph& graph, double damping);
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 
-/// Diffuses a distance matrix in memory by a dense factorisation for each k. Returns a symmetric matrix, apart from the
-/// entries that `keep_nearest` changes. Throws ArgumentError as diffuse() does and for a matrix that is not square.
+/// Diffuses a distance matrix in memory as diffuse() does, by a dense factorisation for each number of neighbours k in
+/// the options. Returns a symmetric matrix, apart from the entries that `keep_nearest` sets. Throws ArgumentError as
+/// diffuse() does and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
 
 /// Returns the `count` nearest models of the model `query` after diffusion, without the model itself, nearest first
@@ -65,11 +66,12 @@ std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::I
 /// Appends a query to a collection as its last model and returns the k nearest models of each model, the query
 /// included. `nearest` are the k nearest models within the collection alone; `distances` are the distances from the
 /// query to the collection's models.
-NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances, int k);
+NearestModels append_query(NearestModels nearest, const Eigen::VectorXd& distances, int k);
 
 /// Converts parameter values of diffusion_method() to options.
 DiffusionOptions diffusion_options(const ParameterValues& values);
 
+/// Returns the entry "diffusion" of the registry rerank_methods().
 RerankMethod diffusion_method();
 
 }  // namespace shapegauge

@@ -123,7 +123,7 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const NamedDistance
   DistanceMatrix matrix(signatures.rows(), signatures.rows());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, all.count(), 0, all.count());
   // Each pair is computed once, within one tile: results do not depend on the threads.
-  parallel_for_parts(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
+  interruptible_parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
     for (Eigen::Index i = some.rows().begin(); i < some.rows().end(); ++i) {
       for (Eigen::Index j = std::max(i, some.cols().begin()); j < some.cols().end(); ++j) {
         const Stretch rows = all.at(i);
@@ -144,7 +144,7 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
   const Tiles columns(others);
   DistanceMatrix distances(rows.whole.size(), columns.whole.size());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, rows.count(), 0, columns.count());
-  parallel_for_parts(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& part) {
+  interruptible_parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& part) {
     for (Eigen::Index i = part.rows().begin(); i < part.rows().end(); ++i) {
       for (Eigen::Index j = part.cols().begin(); j < part.cols().end(); ++j) {
         const Stretch of = rows.at(i);

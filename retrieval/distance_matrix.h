@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// Cache version of distances between signatures; see docs/manual/cache.md.
+/// Cache version of distances between signatures, to increment when they change; see docs/manual/cache.md.
 inline constexpr int distances_version = 2;
 
 /// Signatures (feature vectors) of shapes, one row per shape.
@@ -19,6 +19,7 @@ using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// Parallel, with the same bytes for any number of threads. Throws ArgumentError for a name that is not in distances(),
 /// for an entry that is not finite, and for a signature outside the distance's domain (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
+/// Computes all pairwise distances of signatures by a distance that need not be in the registry distances().
 DistanceMatrix distance_matrix(const Signatures& signatures, const NamedDistance& distance);
 
 /// Consecutive signatures of a larger set.

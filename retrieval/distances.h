@@ -28,11 +28,11 @@ double l2_distance(std::span<const float> a, std::span<const float> b);
 
 /// Distance between signatures, as an entry of the registry distances().
 struct NamedDistance {
-  std::string name;
-  DistanceFunction function = nullptr;
-  DistanceDomain domain = DistanceDomain::any;
-  BatchDistanceFunction batch = nullptr;  ///< faster batch version of `function`; may be null
-  std::string description{};              ///< definition of the distance, as a phrase
+  std::string name;                             ///< name in configurations and commands, such as "l1"
+  DistanceFunction function = nullptr;          ///< distance of two signatures; required
+  DistanceDomain domain = DistanceDomain::any;  ///< signatures for which the distance is defined
+  BatchDistanceFunction batch = nullptr;        ///< faster batch version of `function`; may be null
+  std::string description{};                    ///< definition of the distance, as a phrase
 };
 
 /// Returns the registry of distances: those of the library (distances.cpp), followed by those that callers add. An

@@ -47,15 +47,18 @@ std::optional<Eigen::Index> counting_column(const DistanceMatrix& features) {
 std::optional<std::string> check_features(const DistanceMatrix& features) {
   if (are_distances(features)) {
     throw InputError(
-        "the table has distances, not features: it is square and symmetric with a zero diagonal; omit the "
-        "distance of features");
+        "the table has distances, not features: it is square and symmetric with a zero diagonal; use it as it is, "
+        "without `distance`");
   }
   if (const auto column = counting_column(features)) {
     throw InputError(fmt::format(
         "column {} (counted from 0) has the numbers of the rows, which are no feature; remove it", *column));
   }
   if (features.array().isFinite().all() && !features.cast<float>().array().isFinite().all()) {
-    throw InputError("features are compared in single precision, whose largest number is 3.4e38; scale the features");
+    throw InputError(
+        "a feature is larger than 3.4e38, the largest number of the single precision in which features are compared; "
+        "scale "
+        "the features");
   }
   const std::size_t merged = rows_merged_in_single_precision(
       {features.data(), static_cast<std::size_t>(features.size())}, static_cast<std::size_t>(features.cols()));

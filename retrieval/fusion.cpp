@@ -63,7 +63,7 @@ void add_log_ranks(const DistanceMatrix& matrix, double weight, DistanceMatrix& 
   const auto row = [&](Eigen::Index i) {
     return std::span(matrix.row(i).data(), static_cast<std::size_t>(matrix.cols()));
   };
-  DistanceMatrix at_ranks(matrix.rows(), count_of_ranks(matrix.rows()));
+  DistanceMatrix at_ranks(matrix.rows(), sampled_rank_count(matrix.rows()));
   parallel_for(Eigen::Index{0}, matrix.rows(),
                [&](Eigen::Index i) { at_ranks.row(i) = distances_at_ranks(row(i), i); });
   parallel_for(Eigen::Index{0}, matrix.rows(),
@@ -275,7 +275,7 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
     const double unit = distance_unit(matrices[k], scale);
     if (!(unit > 0)) {
       throw ArgumentError("the median or mean of the distances of matrix " + std::to_string(k) +
-                          " (counted from 0) is 0: it cannot be divided by it");
+                          " (counted from 0) is 0; use another scale");
     }
     sum += weights[k] / unit * matrices[k];
   }

@@ -43,8 +43,10 @@ constexpr bool uses_local_scales(DistanceScale scale) { return scale == Distance
 
 /// Weighting of the distance matrices in a sum, without supervision.
 enum class SumWeights {
-  given,      ///< weights that the caller specifies
-  agreement,  ///< specified weights times factors from the agreement and cohesion of neighbourhoods (sum_weights())
+  given,  ///< weights specified by the caller, unchanged
+  /// Specified weights times factors: large for a matrix whose nearest models agree with those of the other matrices
+  /// and form groups (sum_weights()).
+  agreement,
 };
 
 template <>
@@ -52,20 +54,22 @@ inline constexpr std::array<std::string_view, 2> words_of<SumWeights>{"given", "
 
 /// Options of a weighted sum of distance matrices.
 struct SumOptions {
-  DistanceScale scale = DistanceScale::median;
-  SumWeights weights = SumWeights::given;
+  DistanceScale scale = DistanceScale::median;  ///< normalisation of each matrix
+  SumWeights weights = SumWeights::given;       ///< weighting of the matrices
 };
 
 /// Names, bounds and help texts of the parameters in SumOptions (option_parameters.h).
 inline constexpr std::array sum_table = {
     option_of<&SumOptions::scale>(
         "scale",
-        "With sum: normalisation of each signature's distances. median, mean: divided by that of all pairs of models; "
-        "local: divided by the two models' mean distances to their ten nearest neighbours; ranks: as local, then "
-        "replaced by log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
-    option_of<&SumOptions::weights>("weights",
-                                    "With sum: factor of the given weights. given: 1; agreement: estimated from how "
-                                    "far neighbourhoods agree between signatures and cohere within one."),
+        "With sum: normalisation of each signature's distances. none: unchanged; median, mean: divided by their median "
+        "or mean over all pairs of models; local: divided by the two models' mean distances to their ten nearest "
+        "neighbours; ranks (older name: local_spread): log(1 + mean of the two models' ranks among each other's "
+        "neighbours, by local distances)."),
+    option_of<&SumOptions::weights>(
+        "weights",
+        "With sum: weights of the terms. given: as configured; agreement: as configured, times factors estimated from "
+        "how well nearest models agree between signatures and within one."),
 };
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a
@@ -99,19 +103,20 @@ double distance_unit(const DistanceMatrix& matrix, DistanceScale scale);
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind);
 
-/// Computes the weights with SumWeights::agreement. `nearest` holds, for each matrix, the nearest_for_weights() nearest
-/// models of each model, or all if there are fewer. It may be empty for a matrix of weight 0.
+/// Computes the weights of a sum with SumWeights::agreement from the given `weights`. `nearest` holds, for each matrix,
+/// the nearest_for_weights() nearest models of each model, or all if there are fewer. It may be empty for a matrix of
+/// weight 0.
 std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::span<const double> weights);
 
-/// Returns the number of nearest models of each model that SumWeights::agreement depends on.
+/// Returns the number of nearest models per model that the weights with SumWeights::agreement depend on.
 int nearest_for_weights();
 
-/// Two distance matrices that group the same models differently.
+/// Two distance matrices of the same models whose nearest neighbours agree little.
 struct Disagreement {
   std::size_t first = 0;   ///< index of one matrix
   std::size_t second = 0;  ///< index of the other matrix
-  double agreement = 0;    ///< mean share of common nearest models, from 0 to 1 (sum_weights())
-  double cohesion = 0;     ///< smaller cohesion of the two matrices, from 0 to 1 (sum_weights())
+  double agreement = 0;  ///< mean share of a model's nearest that both matrices have in common, 0 to 1 (sum_weights())
+  double cohesion = 0;   ///< how well nearest models form groups in the less cohesive matrix, 0 to 1 (sum_weights())
 };
 
 /// Finds the two matrices of positive weight whose agreement is smallest, relative to the smaller of their cohesions
@@ -131,7 +136,7 @@ inline constexpr std::array<std::string_view, 2> words_of<RankScore>{"reciprocal
 
 /// Options of fusion_of_ranks().
 struct RankFusionOptions {
-  RankScore score = RankScore::reciprocal;
+  RankScore score = RankScore::reciprocal;  ///< score of a rank, summed over the matrices
 };
 
 /// Names, bounds and help texts of the parameters in RankFusionOptions (option_parameters.h).

@@ -10,8 +10,9 @@
 
 namespace shapegauge {
 
+/// Normalised symmetric affinity matrix of a random walk (diffusion_graph()): one row and column per model.
 using WalkGraph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using FloatWalkGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+using FloatWalkGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;  ///< WalkGraph in single precision
 /// Columns of a matrix for a few models: one row per model of the graph, one column per selected model.
 using FloatColumns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -20,18 +21,19 @@ using FloatColumns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 /// than this tolerance.
 class ColumnSolver {
  public:
-  ColumnSolver(const WalkGraph& graph, double damping);
+  ColumnSolver(const WalkGraph& graph, double damping);  ///< damping from 0 to below 1
 
   /// Returns `count` columns of the inverse from column `first` on.
   [[nodiscard]] FloatColumns columns(Eigen::Index first, Eigen::Index count) const;
 
  private:
-  /// Computes a step: before += weight (damping graph now + columns of the identity - before).
+  /// Computes an iteration for the columns from index `first` on: before += weight (damping graph now + columns of the
+  /// identity - before).
   void advance(Eigen::Index first, float weight, const FloatColumns& now, FloatColumns& before) const;
 
-  FloatWalkGraph graph_;
-  double squared_damping_;
-  int steps_;
+  FloatWalkGraph graph_;    ///< damping times the graph
+  double squared_damping_;  ///< damping^2
+  int steps_;               ///< number of Chebyshev iterations in each call of columns()
 };
 
 /// Computes entries of the diagonal of (I - damping graph)^-1 as a series of Chebyshev polynomials T_m of the graph.
@@ -39,9 +41,9 @@ class ColumnSolver {
 /// (Weisse, Wellein, Alvermann, Fehske 2006); half of the series suffices.
 class DiagonalSolver {
  public:
-  DiagonalSolver(const WalkGraph& graph, double damping);
+  DiagonalSolver(const WalkGraph& graph, double damping);  ///< damping from 0 to below 1
 
-  /// Returns the diagonal entries of the given models, in their order.
+  /// Returns the diagonal entries of the models with these indices, in their order.
   [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const;
 
  private:
@@ -50,10 +52,10 @@ class DiagonalSolver {
   void advance(float factor, const FloatColumns& now, FloatColumns& before, Eigen::ArrayXd& squares,
                Eigen::ArrayXd& products) const;
 
-  FloatWalkGraph graph_;
-  double rate_;
-  double root_;
-  int steps_;
+  FloatWalkGraph graph_;  ///< graph in single precision
+  double rate_;           ///< ratio of consecutive coefficients of the Chebyshev series
+  double root_;           ///< sqrt(1 - damping^2)
+  int steps_;             ///< number of multiplications by the graph in each call of entries()
 };
 
 /// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result

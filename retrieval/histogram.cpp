@@ -52,7 +52,7 @@ std::optional<Interval> value_range(const ScalarField& field) {
 }
 
 Interval enclosing_interval(std::span<const Interval> intervals) {
-  if (intervals.empty()) throw ArgumentError("at least one interval is required");
+  if (intervals.empty()) throw ArgumentError("an enclosing interval needs at least one interval, and there is none");
   Interval enclosing = intervals.front();
   for (const Interval& interval : intervals) {
     enclosing.low = std::min(enclosing.low, interval.low);
@@ -78,8 +78,9 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
     counts[is_single_bin ? 0 : bin_of(field.values[i], range, options.bins)] += weight;
     total += weight;
   }
-  if (!(total > 0)) throw ArgumentError("a histogram needs at least one value with a positive weight");
-  if (!std::isfinite(total)) throw ArgumentError("the sum of a field's weights overflows");
+  if (!(total > 0))
+    throw ArgumentError("a histogram needs at least one value with a positive weight, and the field has none");
+  if (!std::isfinite(total)) throw ArgumentError("the sum of the weights of a field is not finite; reduce the weights");
   return smooth_gaussian(counts / total, options.smoothing_bins).cast<float>();
 }
 
@@ -113,8 +114,8 @@ Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standar
   const Eigen::Index bins = histogram.size();
   if (bins == 0) throw ArgumentError("a histogram without bins cannot be smoothed");
   if (!(standard_deviation >= 0 && standard_deviation <= static_cast<double>(bins))) {
-    throw ArgumentError("the smoothing of a histogram must lie between 0 and its number of bins (" +
-                        std::to_string(bins) + "), not " + std::to_string(standard_deviation));
+    throw ArgumentError("the smoothing of a histogram must be from 0 to its number of bins (" + std::to_string(bins) +
+                        "), not " + std::to_string(standard_deviation));
   }
   if (standard_deviation == 0) return histogram;
   const Eigen::VectorXd kernel = half_kernel(standard_deviation);

@@ -12,23 +12,23 @@
 
 namespace shapegauge {
 
-/// Cache version of histogram() and its smoothing; see docs/manual/cache.md.
+/// Cache version of histogram() and its smoothing, to increment when results change; see docs/manual/cache.md.
 inline constexpr int histogram_version = 2;
 
 /// Closed interval [low, high] of a field's values.
 struct Interval {
-  double low = 0;
-  double high = 1;
+  double low = 0;   ///< lower end of the interval
+  double high = 1;  ///< upper end of the interval
 };
 
 /// Options of a weighted histogram (docs/reference/definitions.md#histograms).
 struct HistogramOptions {
-  int bins = 80;
+  int bins = 80;  ///< number of bins of equal width
   double smoothing_bins =
       0;  ///< standard deviation of Gaussian smoothing (smooth_gaussian()), in bins, at most `bins`; 0 for none
 };
 
-/// Parameters of HistogramOptions.
+/// Names, bounds and help texts of the members of HistogramOptions.
 inline constexpr std::array histogram_table = {
     option_of<&HistogramOptions::bins>("bins", {.low = 1, .high = 100'000}, "Number of bins."),
     with_unit("bins", option_of<&HistogramOptions::smoothing_bins>(
@@ -60,14 +60,16 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
 /// smoothing) and the number of bins.
 Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standard_deviation);
 
-/// Concatenates histograms of several fields of one shape and normalises the sum to 1. Each part keeps its fraction of
-/// the total: k histograms that sum to 1 have a weight of 1/k each, whatever their numbers of bins, and the L1 distance
-/// of two such signatures is the mean of the parts' distances. To change a part's weight, multiply it beforehand.
-/// Throws ArgumentError if there are no parts, if an entry is negative or not finite, or if all are 0.
+/// Concatenates histograms of several fields of one shape and normalises the sum to 1. Each histogram keeps its
+/// fraction of the total: k histograms that sum to 1 have a weight of 1/k each, whatever their numbers of bins, and the
+/// L1 distance of two such signatures is the mean of the histograms' distances. To change a histogram's weight,
+/// multiply the histogram beforehand. Throws ArgumentError if there are no histograms, if an entry is negative or not
+/// finite, or if all are 0.
 Eigen::VectorXf concatenate(std::span<const Eigen::VectorXf> parts);
 
-/// Concatenates histograms of many shapes: row i is the concatenation of the parts' rows i. Throws ArgumentError as
-/// concatenate() of one shape does, and for parts with different numbers of rows.
+/// Concatenates histograms of several fields of many shapes. Each of `parts` has the histograms of one field, one row
+/// per shape; row i of the result concatenates the rows i. Throws ArgumentError as concatenate() of one shape does,
+/// and for `parts` with different numbers of rows.
 Signatures concatenate(std::span<const Signatures> parts);
 
 }  // namespace shapegauge

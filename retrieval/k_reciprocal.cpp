@@ -24,13 +24,14 @@ namespace {
 using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
-    option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                              "Number of nearest models that may be mutual neighbours.",
-                                              automatic_neighbours),
+    option_of<&ReciprocalOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 1000},
+        "Number of models that may be mutual neighbours; auto: mean of six, 4 to 20.", automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models over which sets are averaged; at most the largest value of neighbours."),
-    option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Weight of the original distance."),
+        "Number of nearest models whose neighbour sets are averaged; at most the largest of neighbours."),
+    option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1},
+                                            "Weight of the original distance; 1: no re-ranking."),
 };
 constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);
 
@@ -163,7 +164,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
   const std::vector<int> counts = neighbour_counts(options.neighbours);
   const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
   if (models < 2) return symmetrise(given);
-  const double factor = safe_factor(found.largest);
+  const double factor = overflow_safe_factor(found.largest);
   const NearestModels nearest = with_scaled_distances(found, factor);
   const DistanceMatrix distances = factor * given;
   std::vector<NeighbourSets> sets;

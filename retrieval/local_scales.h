@@ -9,7 +9,8 @@
 namespace shapegauge {
 
 /// Returns the mean distance of a model to its ten nearest models, from its distances to all models. Ignores models at
-/// distance 0, which are duplicates, infinite distances, and the model of index `itself`. NaN if no distance is left.
+/// distance 0, which are duplicates, infinite distances, and the model of index `itself` (-1: none). NaN if no distance
+/// is left.
 double mean_distance_to_nearest(std::span<const double> distances, Eigen::Index itself = -1);
 
 /// Local scales of the models of a collection: mean distances to the ten nearest models, with a lower limit.
@@ -17,11 +18,11 @@ struct LocalScales {
   Eigen::VectorXd roots;  ///< square root of the scale of each model; 1 for a model without positive finite distances
   double least = 0;       ///< lower limit of the scales: a hundredth of the median. 0 if no model has a scale
 
-  /// Computes the scales from mean_distance_to_nearest() of each model.
+  /// Computes the scales from `means`, the mean_distance_to_nearest() of each model; NaN for a model without a scale.
   static LocalScales of_means(const Eigen::VectorXd& means);
 
-  /// Returns the square root of a model's scale, given its mean distance to its nearest neighbours. The model need not
-  /// belong to the collection.
+  /// Returns the square root of a model's scale, given mean_distance_to_nearest() of the model; 1 for NaN. The model
+  /// need not belong to the collection.
   [[nodiscard]] double root_of(double mean) const;
 
   /// Divides the distances from one model to each model of the collection by the square roots of both models' scales.

@@ -35,7 +35,7 @@ double rank_of(double distance, std::span<const double> at_ranks, std::span<cons
 
 }  // namespace
 
-Eigen::Index count_of_ranks(Eigen::Index models) { return std::ssize(ranks_among(models)) - 1; }
+Eigen::Index sampled_rank_count(Eigen::Index models) { return std::ssize(ranks_among(models)) - 1; }
 
 Eigen::RowVectorXd distances_at_ranks(std::span<const double> distances, Eigen::Index itself) {
   std::vector<double> sorted;

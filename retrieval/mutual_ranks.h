@@ -12,12 +12,12 @@
 namespace shapegauge {
 
 /// Returns the number of ranks at which distances_at_ranks() samples the distances among `models` models.
-Eigen::Index count_of_ranks(Eigen::Index models);
+Eigen::Index sampled_rank_count(Eigen::Index models);
 
 /// Computes a model's distances to its neighbours of rank 1, 2, ..., 32, 34, ... and the last rank: rank r is followed
 /// by r + r / 16, rounded down, or by r + 1. `distances` are the distances to all models. Models at distance 0
-/// (duplicates) or at an infinite distance, and the model of index `itself`, have no rank. Distances at missing ranks
-/// are infinite.
+/// (duplicates) or at an infinite distance, and the model of index `itself` (-1: none), have no rank. Distances at
+/// missing ranks are infinite.
 Eigen::RowVectorXd distances_at_ranks(std::span<const double> distances, Eigen::Index itself = -1);
 
 /// Computes log(1 + mutual rank) of one model and each model of a collection. `distances` are the distances from the

@@ -67,7 +67,7 @@ NearestModels with_scaled_distances(NearestModels nearest, double factor) {
   return nearest;
 }
 
-double safe_factor(double largest) {
+double overflow_safe_factor(double largest) {
   if (largest > 0x1p960) return 0x1p-64;
   return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;
 }

@@ -43,7 +43,7 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
     const Eigen::Index count = std::min(rows_at_once, models - first);
     const DistanceMatrix block = rows(first, count);
     if (block.rows() != count || block.cols() != models) {
-      throw ArgumentError("rows of " + std::to_string(block.cols()) + " distances for " + std::to_string(models) +
+      throw ArgumentError("found rows of " + std::to_string(block.cols()) + " distances for " + std::to_string(models) +
                           " models");
     }
     visit(first, block);
@@ -51,24 +51,25 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
 }
 
 /// Throws ArgumentError, with the row and the column, for a distance that is negative or NaN. `first` is the index of
-/// the first of these rows in the whole matrix; the text `of` follows the column in the message.
+/// the first of these rows in the whole matrix. `of` names the matrix in the message, such as " of matrix 2", or is
+/// empty.
 void check_distances(const DistanceMatrix& rows, Eigen::Index first, const std::string& of = {});
 
 /// Finds the k nearest other models of each model, at most `models` - 1, from the rows of the distance matrix. Throws
 /// ArgumentError for a k below 1, for rows of the wrong length and for a distance that is negative or NaN.
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 
-/// Returns the nearest models with all distances multiplied by a factor.
+/// Returns the same nearest models with all distances multiplied by a factor.
 NearestModels with_scaled_distances(NearestModels nearest, double factor);
 
-/// Returns a power of two that protects sums and quotients of distances up to `largest` from overflow and underflow; 1
-/// if not needed.
-double safe_factor(double largest);
+/// Returns a power of two to multiply distances up to `largest` by, which protects their sums and quotients from
+/// overflow and underflow; 1 if not needed.
+double overflow_safe_factor(double largest);
 
-/// Returns the mean of distances whose sum may overflow; NaN without any.
+/// Returns the mean of finite distances whose sum may overflow; NaN for an empty span.
 double overflow_safe_mean(std::span<const double> distances);
 
-/// Returns the mean of distances, over the finite ones if some are infinite; 0 without any.
+/// Returns the mean of a matrix or vector of distances, over the finite ones if some are infinite; 0 if none is finite.
 template <typename Distances>
 double mean_distance(const Distances& distances) {
   const double plain = distances.size() > 0 ? distances.mean() : 0;

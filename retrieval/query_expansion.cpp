@@ -17,9 +17,9 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array expansion_table = {
-    option_of<&ExpansionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                             "Number of nearest models whose rows are added to a model's own.",
-                                             automatic_neighbours),
+    option_of<&ExpansionOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 1000},
+        "Number of nearest models whose rows are added; auto: mean of six, 4 to 20.", automatic_neighbours),
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);
 
@@ -56,7 +56,7 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
   check_options("query_expansion", expansion_table, options);
   const std::vector<int> counts = neighbour_counts(options.neighbours);
   const NearestModels nearest = nearest_models(distances.rows(), counts.back(), rows_of(distances));
-  const double factor = safe_factor(nearest.largest);
+  const double factor = overflow_safe_factor(nearest.largest);
   DistanceMatrix finite = distances.array().isInf().select(nearest.largest, distances) * factor;
   finite.diagonal().setZero();
   DistanceMatrix result = finite;
@@ -77,8 +77,8 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
 }
 
 RerankMethod query_expansion_method() {
-  return {"query_expansion", "Average query expansion: means over the rows of the nearest models.",
-          expansion_parameters, [](const DistanceMatrix& distances, const ParameterValues& values) {
+  return {"query_expansion", "Average query expansion: means of the nearest models' rows.", expansion_parameters,
+          [](const DistanceMatrix& distances, const ParameterValues& values) {
             return query_expansion(distances, options_from(expansion_table, values));
           }};
 }

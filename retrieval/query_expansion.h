@@ -7,7 +7,9 @@ namespace shapegauge {
 
 /// Options of query_expansion().
 struct ExpansionOptions {
-  IntegerList neighbours = 4;  ///< numbers of neighbours, 1 to 1000; results are averaged; "auto": neighbour_counts()
+  /// Numbers of nearest models whose rows are averaged, from 1 to 1000. The result is the mean over several numbers. An
+  /// empty list ("auto") means 4, 5, 7, 10, 14 and 20 (neighbour_counts()).
+  IntegerList neighbours = 4;
 };
 
 /// Applies average query expansion (Chum et al. 2007) to distances: each model's row becomes the weighted mean
@@ -16,6 +18,7 @@ struct ExpansionOptions {
 /// Throws InputError for options out of range, and as diffused() does.
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options = {});
 
+/// Returns the entry "query_expansion" of the registry rerank_methods().
 RerankMethod query_expansion_method();
 
 }  // namespace shapegauge

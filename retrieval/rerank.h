@@ -32,8 +32,9 @@ struct RerankMethod {
   std::string_view name;                  ///< name of the method in configurations and commands
   std::string_view description;           ///< description of the method in one sentence
   std::span<const Parameter> parameters;  ///< parameters of the method
+  /// Computes the new distance matrix from a square distance matrix; required.
   DistanceMatrix (*rerank)(const DistanceMatrix&, const ParameterValues&) = nullptr;
-  /// Throws InputError if settings contradict each other; null if they cannot.
+  /// Throws InputError if parameter values contradict each other; null if they cannot.
   void (*check)(const ParameterValues&) = nullptr;
 };
 

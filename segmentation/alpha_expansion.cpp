@@ -6,6 +6,7 @@
 #include <limits>
 #include <maxflow.h>
 #include <stdexcept>
+#include <string>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
@@ -20,17 +21,33 @@ using Flow = maxflow::Graph<double, double, double>;
 void report(const char* message) { throw std::runtime_error(message); }
 
 void check(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, std::span<const std::int32_t> labels) {
-  if (costs.rows() != std::ssize(labels)) throw ArgumentError("each node needs one row of costs and one label");
-  if (costs.rows() > std::numeric_limits<int>::max()) throw ArgumentError("there are too many nodes to label");
-  if (!costs.allFinite()) throw ArgumentError("the cost of a label must be a finite number");
+  if (costs.rows() != std::ssize(labels)) {
+    throw ArgumentError("there are " + std::to_string(costs.rows()) + " rows of costs for the labels of " +
+                        std::to_string(labels.size()) + " nodes");
+  }
+  if (costs.rows() > std::numeric_limits<int>::max()) {
+    throw ArgumentError("there are " + std::to_string(costs.rows()) + " nodes to label; at most " +
+                        std::to_string(std::numeric_limits<int>::max()) + " are supported");
+  }
+  if (!costs.allFinite()) {
+    throw ArgumentError(
+        "costs of labels must be finite numbers (not finite: " + std::to_string((!costs.array().isFinite()).count()) +
+        " of " + std::to_string(costs.size()) + ")");
+  }
   for (const std::int32_t label : labels) {
-    if (label < 0 || label >= costs.cols()) throw ArgumentError("the initial label of a node is out of range");
+    if (label < 0 || label >= costs.cols()) {
+      throw ArgumentError("the initial label of a node is " + std::to_string(label) + "; it must be from 0 to " +
+                          std::to_string(costs.cols() - 1));
+    }
   }
   const auto is_node = [&](std::int32_t node) { return node >= 0 && node < costs.rows(); };
   for (const LabelEdge& edge : edges) {
-    if (!is_node(edge.a) || !is_node(edge.b)) throw ArgumentError("a node of an edge is out of range");
+    if (!is_node(edge.a) || !is_node(edge.b)) {
+      throw ArgumentError("an edge joins the nodes " + std::to_string(edge.a) + " and " + std::to_string(edge.b) +
+                          ", but there are " + std::to_string(costs.rows()) + ", numbered from 0");
+    }
     if (!(edge.cost >= 0 && std::isfinite(edge.cost))) {
-      throw ArgumentError("the cost of an edge must be a finite number, at least 0");
+      throw ArgumentError("the cost of an edge is " + std::to_string(edge.cost) + "; it must be finite and at least 0");
     }
   }
 }

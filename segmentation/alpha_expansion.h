@@ -8,10 +8,10 @@
 
 namespace shapegauge {
 
-/// Pair of nodes and the cost of giving them different labels.
+/// Edge of the graph to be labelled: a pair of nodes and the cost of giving them different labels.
 struct LabelEdge {
-  std::int32_t a = 0;  ///< index of a node
-  std::int32_t b = 0;  ///< index of another node
+  std::int32_t a = 0;  ///< index of one node of the pair
+  std::int32_t b = 0;  ///< index of the other node of the pair
   double cost = 0;     ///< cost if the two nodes have different labels, at least 0
 };
 

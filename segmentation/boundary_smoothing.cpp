@@ -6,6 +6,7 @@
 #include <map>
 #include <queue>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -127,9 +128,12 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
 std::vector<std::int32_t> smooth_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                             const BoundarySmoothingOptions& options) {
   check_options("smoothing of boundaries", boundary_smoothing_table, options);
-  if (std::ssize(labels) != surface.graph.size()) throw ArgumentError("a surface needs one label per node");
+  if (std::ssize(labels) != surface.graph.size()) {
+    throw ArgumentError("there are " + std::to_string(labels.size()) + " labels for the " +
+                        std::to_string(surface.graph.size()) + " nodes of the surface");
+  }
   if (std::ranges::any_of(labels, [](std::int32_t label) { return label < 0; })) {
-    throw ArgumentError("labels must not be negative");
+    throw ArgumentError("a label of the surface is negative; labels are numbered from 0");
   }
   std::vector<std::int32_t> result(labels.begin(), labels.end());
   const WaysToParts ways = ways_to_parts(surface, labels, options.width);

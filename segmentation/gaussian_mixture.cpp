@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -109,9 +110,14 @@ Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Ei
 }
 
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, Eigen::Index components) {
-  if (points.rows() == 0 || points.cols() == 0)
-    throw ArgumentError("a Gaussian mixture needs at least one point and one dimension");
-  if (!points.allFinite()) throw ArgumentError("a Gaussian mixture needs finite points");
+  if (points.rows() == 0 || points.cols() == 0) {
+    throw ArgumentError("a Gaussian mixture needs at least one point and one dimension, not " +
+                        std::to_string(points.rows()) + " and " + std::to_string(points.cols()));
+  }
+  if (!points.allFinite())
+    throw ArgumentError("points of a Gaussian mixture must be finite numbers (not finite: " +
+                        std::to_string((!points.array().isFinite()).count()) + " of " + std::to_string(points.size()) +
+                        ")");
   const Eigen::RowVectorXd least = min_variances(points);
   GaussianMixture best;
   for (std::uint64_t start = 0; start < mixture_starts; ++start) {

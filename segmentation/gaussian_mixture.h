@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// Gaussian mixture with diagonal covariances.
+/// Gaussian mixture with diagonal covariances: k components in d dimensions.
 struct GaussianMixture {
   Eigen::VectorXd weights;    ///< weights of the k components, with sum 1
   Eigen::MatrixXd means;      ///< means of the k components in d dimensions: k x d
@@ -19,7 +19,7 @@ struct GaussianMixture {
 /// ignored. Throws ArgumentError without points and for a point that is not finite.
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, Eigen::Index components);
 
-/// Computes log(weight * density) of each component at each point, one per row: points x components.
+/// Computes log(weight * density) of each component at each point: points x components. `points` has one point per row.
 Eigen::MatrixXd log_densities(const GaussianMixture& mixture, const Eigen::MatrixXd& points);
 
 /// Computes the posterior probability of each component for each point: points x components. Each row sums to 1.

@@ -77,7 +77,8 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
   std::vector<std::int32_t> labels;
   labels.reserve(patch.size());
   for (const std::int32_t p : patch) labels.push_back(clusters[static_cast<std::size_t>(p)]);
-  return renumber_labels(without_slivers(graph, connected_parts(graph, labels), min_patch / options.patches.count));
+  return renumber_labels(
+      without_slivers(graph, connected_parts(graph, labels), min_patch_fraction / options.patches.count));
 }
 
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,

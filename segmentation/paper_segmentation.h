@@ -14,14 +14,14 @@ namespace shapegauge {
 
 struct OffsetSdfOutcomes;
 
-/// Cache version of paper_segmentation(); see docs/manual/cache.md.
+/// Cache version of paper_segmentation(); increment when results change (docs/manual/cache.md).
 inline constexpr int paper_segmentation_version = 5;
 
 /// Options of paper_segmentation(). Chen et al. 2018 specify the number of patches, 50, and leave the rest open.
 struct PaperSegmentationOptions {
-  PatchOptions patches{};
-  int clusters = 5;       ///< number of clusters of patches, at least 1
-  double smoothness = 1;  ///< weight of the border costs relative to the cluster costs, at least 0
+  PatchOptions patches{};  ///< options of the over-segmentation
+  int clusters = 5;        ///< number of clusters of patches, at least 1
+  double smoothness = 1;   ///< weight of the border costs relative to the cluster costs, at least 0
 };
 
 /// Segments a surface as Chen et al. 2018 (Section "Shape segmentation") do: returns one label per node of the graph.

@@ -32,7 +32,8 @@ void check(const PartSegmentationOptions& options, std::int32_t nodes) {
     throw InputError(
         fmt::format("a shape of {} triangles or points cannot be segmented into {} parts", nodes, options.parts));
   }
-  if (options.samples < 1) throw InputError(fmt::format("at least 1 sample is needed, not {}", options.samples));
+  if (options.samples < 1)
+    throw InputError(fmt::format("the number of samples must be at least 1, not {}", options.samples));
 }
 
 PatchOptions patch_options_of(const PartSegmentationOptions& options) {
@@ -42,7 +43,7 @@ PatchOptions patch_options_of(const PartSegmentationOptions& options) {
 /// Gives parts of less than a part of a patch's usual area to their neighbours.
 std::vector<std::int32_t> without_small(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
                                         const PartSegmentationOptions& options) {
-  return renumber_labels(without_slivers(graph, labels, min_patch / patch_options_of(options).count));
+  return renumber_labels(without_slivers(graph, labels, min_patch_fraction / patch_options_of(options).count));
 }
 
 /// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;

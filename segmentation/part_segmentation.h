@@ -13,26 +13,28 @@
 
 namespace shapegauge {
 
-/// Cache version of part_segmentation(); see docs/manual/cache.md.
+/// Cache version of part_segmentation(); increment when results change (docs/manual/cache.md).
 inline constexpr int part_segmentation_version = 6;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {
-  int parts = 0;                  ///< number of parts; 0 for automatic
-  int patches = 300;              ///< number of initial patches; at least three per requested part are used
-  int samples = 1000;             ///< number of surface samples between which visibility is tested, at least 1
-  double min_probability = 0.25;  ///< minimum probability of being one part at which two regions are merged
-  BoundarySmoothingOptions smoothing{};
-  std::uint64_t seed = 1;  ///< seed of the random node at which the first patch starts
+  int parts = 0;                         ///< number of parts; 0 for automatic
+  int patches = 300;                     ///< number of initial patches; at least three per requested part are used
+  int samples = 1000;                    ///< number of surface samples between which visibility is tested, at least 1
+  double min_probability = 0.25;         ///< regions are merged if they are one part with at least this probability
+  BoundarySmoothingOptions smoothing{};  ///< options of the final smoothing of borders
+  std::uint64_t seed = 1;                ///< seed of the random node at which the first patch starts
 };
 
 /// Names, bounds and help texts of the parameters in PartSegmentationOptions (option_parameters.h).
 inline constexpr std::array part_segmentation_table = {
     option_of<&PartSegmentationOptions::parts>("parts", {.low = 0, .high = 1'000'000},
                                                "Number of parts; 0 for automatic."),
-    option_of<&PartSegmentationOptions::patches>("patches", {.low = 1, .high = 100'000}, "Number of initial patches."),
-    option_of<&PartSegmentationOptions::min_probability>("min_probability", {.low = 0, .high = 1},
-                                                         "Minimum probability at which two regions are merged."),
+    option_of<&PartSegmentationOptions::patches>("patches", {.low = 1, .high = 100'000},
+                                                 "Number of initial patches, which are merged into parts."),
+    option_of<&PartSegmentationOptions::min_probability>(
+        "min_probability", {.low = 0, .high = 1},
+        "Minimum probability of merging two regions; lower gives fewer parts."),
     nested_option<&PartSegmentationOptions::smoothing, boundary_smoothing_table, 0>(),
 };
 
@@ -42,7 +44,7 @@ inline constexpr std::array part_segmentation_table = {
 /// A triangle with coincident corners gets the part of the closest other triangle; a duplicate triangle gets the part
 /// of its first copy (sound_mesh()). Meshes of few triangles or with many cracks are replaced by their
 /// segmentation_proxy(). The surface is divided into patches, which are merged into regions. Each step merges the two
-/// regions most likely to belong to one part, according to the model. Patches of less than a tenth of the mean area
+/// regions most likely to belong to one part, according to `model`. Patches of less than a tenth of the mean area
 /// join their neighbours first. The features (RegionFeatures) describe mutual visibility, thickness, the concavity
 /// between regions and their form. Finally, borders are smoothed. Parts are connected except for pieces that smoothing
 /// separates. Unconnected components are different parts, and there may therefore be more parts than requested. The

@@ -68,13 +68,17 @@ Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::In
 }  // namespace
 
 Eigen::MatrixXd patch_features(std::span<const std::int32_t> patch, std::span<const ScalarField> fields, int levels) {
-  if (levels < 1) throw InputError(fmt::format("a distribution needs at least 1 level, not {}", levels));
-  if (fields.empty() || patch.empty()) throw ArgumentError("features of patches need a field and samples");
+  if (levels < 1) throw InputError(fmt::format("the number of quantile levels must be at least 1, not {}", levels));
+  if (fields.empty() || patch.empty()) {
+    throw ArgumentError(fmt::format("features of patches need at least 1 field and 1 sample, not {} and {}",
+                                    fields.size(), patch.size()));
+  }
   const Eigen::Index patches = *std::ranges::max_element(patch) + 1;
   Eigen::MatrixXd features(patches, std::ssize(fields) * levels);
   for (std::size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].values.size() != std::ssize(patch) || fields[f].weights.size() != std::ssize(patch)) {
-      throw ArgumentError("a field needs one value and one weight a sample");
+      throw ArgumentError(fmt::format("field {} (counted from 0) has {} values and {} weights for {} samples", f,
+                                      fields[f].values.size(), fields[f].weights.size(), patch.size()));
     }
     const Eigen::MatrixXd shares = cumulative_shares(patch, patches, fields[f], levels);
     features.middleCols(static_cast<Eigen::Index>(f) * levels, levels) = shares.topRows(patches);

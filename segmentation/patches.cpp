@@ -126,7 +126,10 @@ std::vector<std::int32_t> patches(const SurfaceGraph& graph, const PatchOptions&
                                   std::span<const double> costs) {
   if (options.count < 1)
     throw InputError(fmt::format("the number of patches must be at least 1, not {}", options.count));
-  if (!costs.empty() && costs.size() != graph.links.size()) throw ArgumentError("each link needs one cost");
+  if (!costs.empty() && costs.size() != graph.links.size()) {
+    throw ArgumentError(
+        fmt::format("there are {} costs for {} links of the surface", costs.size(), graph.links.size()));
+  }
   std::vector<std::int32_t> centres = farthest_centres(graph, options, costs);
   std::vector<std::int32_t> patch = grown_from(graph, costs, centres);
   for (int round = 0; round < 3; ++round) {

@@ -11,12 +11,12 @@ namespace shapegauge {
 
 /// Options of patches().
 struct PatchOptions {
-  int count = 50;          ///< number of patches (L in the paper), at least 1
+  int count = 50;          ///< number of patches (L of Chen et al. 2018), at least 1
   std::uint64_t seed = 1;  ///< seed of the random node at which the first patch starts
 };
 
-/// Smallest area of a patch or part, as a fraction of the mean area of patches: smaller ones are slivers.
-inline constexpr double min_patch = 0.1;
+/// Minimum area of a patch or part, as a fraction of the mean area of patches: smaller ones are merged as slivers.
+inline constexpr double min_patch_fraction = 0.1;
 
 /// Divides a surface into compact, connected patches: returns a patch number for each node, from 0 on without gaps.
 ///

@@ -61,7 +61,7 @@ double earth_movers_distance(const RegionSum& a, const RegionSum& b) {
     carried += a.histogram[k] / std::max(a.area, min_area) - b.histogram[k] / std::max(b.area, min_area);
     moved += std::abs(carried);
   }
-  return moved * -std::log(lowest_thickness) / thickness_bins;
+  return moved * -std::log(min_histogram_thickness) / thickness_bins;
 }
 
 /// Features in order, each with its name.

@@ -10,14 +10,14 @@
 
 namespace shapegauge {
 
-inline constexpr int region_features = 44;  ///< number of entries of RegionFeatures
+inline constexpr int region_features = 44;  ///< number of features of two adjacent regions
 
-/// Features of two adjacent regions for deciding whether they are one part; symmetric in the two. In the
-/// features' names, "small" and "large" denote the region of smaller and of larger area. Thickness is logarithmic;
+/// Features of two adjacent regions, from which a PartModel decides whether they are one part; symmetric in the two. In
+/// the features' names, "small" and "large" denote the region of smaller and of larger area. Thickness is logarithmic;
 /// lengths and areas are relative to the whole surface.
 using RegionFeatures = Eigen::Matrix<double, region_features, 1>;
 
-/// Returns the name of each entry of RegionFeatures, in order.
+/// Returns the name of each feature, in the order of RegionFeatures.
 const std::array<std::string_view, region_features>& region_feature_names();
 
 /// Computes the features of the adjacent regions a and b:

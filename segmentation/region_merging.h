@@ -8,7 +8,8 @@
 
 namespace shapegauge {
 
-/// Function that returns the affinity of two adjacent regions, by their numbers: not NaN; the highest is merged first.
+/// Function that returns the affinity of two adjacent regions, given by their numbers: any number but NaN. The pair
+/// with the highest affinity is merged first.
 using RegionAffinity = std::function<double(const Regions&, std::int32_t, std::int32_t)>;
 
 /// Options of merge_regions().

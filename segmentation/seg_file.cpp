@@ -28,13 +28,14 @@ std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& 
                                std::numeric_limits<std::int32_t>::max(), segment));
     }
     if (labels.size() == faces) {
-      scanner.fail(fmt::format("more lines than the mesh has faces ({}); is it of another mesh?", faces));
+      scanner.fail(fmt::format("more lines than the mesh has faces ({}); the file may be of another mesh", faces));
     }
     labels.push_back(static_cast<std::int32_t>(segment));
   }
   if (labels.size() < faces) {
-    throw InputError(fmt::format("{}: the file has {} lines, the mesh {} faces; is it of another mesh, or truncated?",
-                                 name, labels.size(), faces));
+    throw InputError(
+        fmt::format("{}: the file has {} lines, the mesh {} faces; it may be of another mesh, or truncated", name,
+                    labels.size(), faces));
   }
   return labels;
 }

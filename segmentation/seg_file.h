@@ -22,7 +22,7 @@ std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shap
 std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces);
 
 /// Writes a segmentation, one label per triangle or point of the shape, in the format of read_seg(), atomically. Each
-/// polygon has one line, with the label of the largest area in the polygon. Throws InputError if the file cannot be
+/// polygon has one line: the label that covers the largest area of the polygon. Throws InputError if the file cannot be
 /// written.
 void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 
 #include "shapegauge/core/base/error.h"
@@ -31,7 +32,10 @@ constexpr std::array<Colour, 12> palette = {{{68, 119, 170},
                                              {153, 153, 51}}};
 
 void check(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
-  if (std::ssize(labels) != graph.size()) throw ArgumentError("a surface needs one label per node");
+  if (std::ssize(labels) != graph.size()) {
+    throw ArgumentError("there are " + std::to_string(labels.size()) + " labels for the " +
+                        std::to_string(graph.size()) + " nodes of the surface");
+  }
 }
 
 /// Areas of labels, which start at 0, and the lengths of their common borders.

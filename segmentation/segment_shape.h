@@ -26,24 +26,26 @@ inline constexpr std::array<std::string_view, 2> words_of<SegmentedSdf>{"offset_
 
 /// Options of segment_shape().
 struct SegmentationOptions {
-  SegmentationAlgorithm method = SegmentationAlgorithm::best;
-  PartSegmentationOptions best{};  ///< options of part_segmentation(); paper_segmentation() has `parts` clusters
+  SegmentationAlgorithm method = SegmentationAlgorithm::best;  ///< segmentation algorithm
+  PartSegmentationOptions best{};  ///< options of part_segmentation(); paper_segmentation() uses only `parts`
   SegmentedSdf field = SegmentedSdf::offset;  ///< SDF that paper_segmentation() clusters
   double offset = OffsetSdfOptions{}.offset;  ///< offset distance for paper_segmentation(), in bounding-box diagonals
 };
 
 /// Names, bounds and help texts of the parameters in SegmentationOptions (option_parameters.h).
 inline constexpr std::array segmentation_table = {
-    option_of<&SegmentationOptions::method>("method", "best: semantic parts; paper: clusters of patches by their SDF."),
+    option_of<&SegmentationOptions::method>("method",
+                                            "best: semantic parts; paper: clusters of patches of similar thickness."),
     with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
-    with_description("best: number of initial patches.",
+    with_description("best: number of initial patches, which are merged into parts.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 1>()),
-    with_description("best: minimum probability at which two regions are merged.",
+    with_description("best: minimum probability of merging two regions; lower gives fewer parts.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
-    with_description("best: maximum distance that smoothing moves borders.",
+    with_description("best: maximum distance by which smoothing moves borders.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 3>()),
-    option_of<&SegmentationOptions::field>("field", "paper: SDF of the offset surface, or conventional SDF."),
+    option_of<&SegmentationOptions::field>("field",
+                                           "paper: shape diameter function, of the offset surface or conventional."),
     with_unit(bounding_box_diagonals, option_of<&SegmentationOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
                                                                               "paper: offset distance.")),
 };

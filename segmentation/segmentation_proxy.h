@@ -12,7 +12,7 @@ namespace shapegauge {
 /// Shape that is segmented in place of an original shape, with the mapping from the original to the proxy.
 struct SegmentationProxy {
   Shape shape;                        ///< proxy: mesh or point cloud to segment
-  std::vector<std::int32_t> node_of;  ///< triangle or point of the proxy for each triangle or point of the original
+  std::vector<std::int32_t> node_of;  ///< per triangle or point of the original: index of its node in the proxy
 
   /// Transfers labels from the proxy to the original: returns one label per triangle or point of the original.
   [[nodiscard]] std::vector<std::int32_t> transfer(std::span<const std::int32_t> labels) const;

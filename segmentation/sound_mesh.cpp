@@ -23,7 +23,9 @@ std::vector<std::int32_t> numbers_of_sound(const Shape& mesh) {
     const bool sound = corner(0) != corner(1) && corner(1) != corner(2) && corner(2) != corner(0);
     numbers.push_back(sound ? next++ : -1);
   }
-  if (next == 0) throw InputError("a shape without area cannot be segmented");
+  if (next == 0)
+    throw InputError(
+        "a shape without area cannot be segmented; check it for degenerate triangles or coincident points");
   return numbers;
 }
 

@@ -8,8 +8,8 @@
 
 namespace shapegauge {
 
-/// Mesh without the triangles that are not segmented themselves: duplicates (distinct_triangles()), and triangles with
-/// coincident corners, which have no area and no neighbours.
+/// Mesh to segment, without the triangles that receive the labels of others: duplicates (distinct_triangles()), and
+/// triangles with coincident corners, which have no area and no neighbours.
 struct SoundMesh {
   Shape shape;  ///< mesh to segment, or the unchanged point cloud
   /// Per triangle of the original mesh, an index in `shape`: of the triangle itself, of its first duplicate or, for

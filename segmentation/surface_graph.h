@@ -14,9 +14,11 @@ namespace shapegauge {
 /// Link from one node of a surface graph to a neighbour. Every link has its reverse.
 struct SurfaceLink {
   std::int32_t to = 0;  ///< index of the neighbouring node
-  double length = 0;    ///< length of the triangles' common edge; in a cloud, mean square root of the two points' areas
-  double distance = 0;  ///< distance of the two nodes along the surface, across the middle of the common edge
-  double concavity = 0;  ///< angle between the normals of the two nodes, in radians; negative if the surface is convex
+  /// Length of the triangles' common edge; across a gap, half the shorter boundary edge; in a cloud, the mean square
+  /// root of the two points' areas.
+  double length = 0;
+  double distance = 0;   ///< length of the path between the nodes across the middle of the edge, or the gap's vertex
+  double concavity = 0;  ///< angle between the normals of the two nodes, in radians; positive if the surface is concave
 };
 
 /// Adjacency graph of the triangles of a mesh, or the points of a cloud, for segmentation. Nodes are numbered as the
@@ -26,8 +28,10 @@ struct SurfaceGraph {
   std::vector<std::size_t> first;  ///< per node: index of its first link in `links`; last entry: number of links
   std::vector<SurfaceLink> links;  ///< links of all nodes, sorted by node and then by neighbour
 
+  /// Returns the number of nodes.
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(samples.points.rows()); }
 
+  /// Returns the links of a node to its neighbours.
   [[nodiscard]] std::span<const SurfaceLink> links_of(std::int32_t node) const {
     const auto n = static_cast<std::size_t>(node);
     return std::span(links).subspan(first[n], first[n + 1] - first[n]);

@@ -68,7 +68,7 @@ void add_nodes(Regions& regions, const ThickSurface& surface, std::span<const st
   const Samples& samples = surface.graph.samples;
   const double whole = samples.weights.sum();
   const Eigen::RowVector3d centre = samples.weights.transpose() * samples.points / whole;
-  const double bin_width = -std::log(lowest_thickness) / thickness_bins;
+  const double bin_width = -std::log(min_histogram_thickness) / thickness_bins;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     if (patch[static_cast<std::size_t>(i)] < 0) continue;
     const double area = samples.weights[i] / whole;
@@ -83,7 +83,7 @@ void add_nodes(Regions& regions, const ThickSurface& surface, std::span<const st
     sum.position = area * position;
     sum.squared_position = area * position * position.transpose();
     sum.squared_normal = area * normal * normal.transpose();
-    const double bin = (thickness - std::log(lowest_thickness)) / bin_width;
+    const double bin = (thickness - std::log(min_histogram_thickness)) / bin_width;
     sum.histogram[static_cast<Eigen::Index>(std::clamp(bin, 0.0, thickness_bins - 1.0))] = area;
     regions.add(patch[static_cast<std::size_t>(i)], sum);
   }

@@ -136,7 +136,9 @@ ThickSurface thick_surface(const Shape& given) {
   ThickSurface surface;
   surface.graph = surface_graph(shape);
   const double area = surface.graph.samples.weights.sum();
-  if (!(area > 0 && std::isfinite(area))) throw InputError("a shape without area cannot be segmented");
+  if (!(area > 0 && std::isfinite(area)))
+    throw InputError(
+        "a shape without area cannot be segmented; check it for degenerate triangles or coincident points");
   surface.unit = std::sqrt(area);
   const Eigen::VectorXd diameter = diameters(shape, surface.graph.samples);
   surface.log_thickness = diameter.unaryExpr([&](double d) {

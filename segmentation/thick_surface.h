@@ -9,11 +9,11 @@
 
 namespace shapegauge {
 
-/// Surface with outward normals and thickness at every node.
+/// Surface with outward normals and thickness at every node (triangle, or point of a cloud).
 struct ThickSurface {
   SurfaceGraph graph;                  ///< adjacency of the nodes; the normals of its samples point outwards
   double unit = 1;                     ///< unit of length: square root of the surface's area, in the shape's units
-  Points smooth_normals;               ///< unit normal of each node, averaged over about 0.01 `unit`
+  Points smooth_normals;               ///< unit normal of each node, averaged over a distance of about 0.01 `unit`
   Eigen::VectorXd log_thickness;       ///< per node: natural logarithm of the local diameter (SDF), in `unit`
   Shape barrier;                       ///< mesh that blocks rays: the surface itself, or splats() of a cloud
   int barrier_triangles_per_node = 1;  ///< number of consecutive triangles of `barrier` per node

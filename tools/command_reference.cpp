@@ -141,8 +141,8 @@ std::string section(const CLI::App& command, const std::string& path, const Shar
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
   text += option_list(command, shared);
   constexpr std::size_t line_width = 100;
-  if (const std::string notes = wrapped(command.get_footer(), line_width); !notes.empty())
-    text += fmt::format("\n```text\n{}\n```\n", notes);
+  const std::string notes = wrapped(command.get_footer(), line_width);
+  if (!notes.empty() && commands_of(command).empty()) text += fmt::format("\n```text\n{}\n```\n", notes);
   for (const CLI::App* inner : commands_of(command)) {
     text += section(*inner, path + " " + inner->get_name(), shared);
   }
@@ -154,8 +154,8 @@ std::string section(const CLI::App& command, const std::string& path, const Shar
 std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
-      "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "`-h` prints the most important options of a command, `--help` all. See also [shared options](#shared-options),\n"
+      "<!-- Written by the target update_reference. -->\n\n"
+      "`-h` prints the most important options of a command, `--help` all. See\n"
       "[exit statuses](definitions.md#exit-status) and [file formats](file_formats.md).\n";
   std::string group;
   for (const CLI::App* command : commands_of(program)) {

@@ -29,7 +29,7 @@ class SparseInterruptionCheck {
   }
 
  private:
-  mutable std::uint32_t steps_ = 0;
+  mutable std::uint32_t steps_ = 0;  ///< number of calls so far
 };
 
 }  // namespace shapegauge

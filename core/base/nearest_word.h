@@ -17,12 +17,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// distance exceeds both 2 and a third of the word's length, or reaches the candidate's length.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
 
-/// Returns the end of a message about an unknown word: `; did you mean "offset"?` if a candidate is near, otherwise `;
-/// known here: "at", "offset"`. Empty without candidates.
+/// Returns the end of a message about an unknown word, for users to correct it: `; did you mean "offset"?` if a
+/// candidate is near, otherwise `; known here: "at", "offset"`. Empty without candidates.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-/// Formats the message about an unknown word, with the nearest candidate: `there is no field "ofset"; did you
-/// mean "offset"?`. Quotes 40 bytes of the word at most.
+/// Formats the message about an unknown word of a kind, such as "field", with the suggestion(): `there is no field
+/// "ofset"; did you mean "offset"?`. Quotes 40 bytes of the word at most.
 std::string unknown_word_message(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace shapegauge

@@ -21,9 +21,9 @@ namespace shapegauge {
 /// Describes a member of an options struct as a Parameter, with functions that read and set the member.
 template <typename Options>
 struct OptionParameter {
-  Parameter parameter;
-  ParameterValue (*value)(const Options&);
-  void (*set)(Options&, const ParameterValue&);
+  Parameter parameter;                           ///< name, default, bounds and description of the option
+  ParameterValue (*value)(const Options&);       ///< returns the value of the member
+  void (*set)(Options&, const ParameterValue&);  ///< assigns a value to the member
 };
 
 /// Type trait of a pointer to member: its struct (Options) and the type of the member (Value).
@@ -31,31 +31,32 @@ template <typename Member>
 struct MemberOf;
 template <typename OptionsOf, typename ValueOf>
 struct MemberOf<ValueOf OptionsOf::*> {
-  using Options = OptionsOf;
-  using Value = ValueOf;
+  using Options = OptionsOf;  ///< struct that has the member
+  using Value = ValueOf;      ///< type of the member
 };
 
 /// True for integer types other than bool; parameters store these in 64 bits.
 template <typename Value>
 inline constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
 
-/// Type in which a ParameterValue stores a member of type Value: a word for an enumeration, 64 bits for an integer.
+/// Type in which a ParameterValue stores a member of type Value: a word for an enumeration, 64 bits for an integer, and
+/// Value itself otherwise.
 template <typename Value>
-using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
-                                     std::conditional_t<std::is_enum_v<Value>, std::string_view, Value>>;
+using StoredValue = std::conditional_t<is_integer<Value>, std::int64_t,
+                                       std::conditional_t<std::is_enum_v<Value>, std::string_view, Value>>;
 
 /// Converts the value of a member of an options struct to the type that a ParameterValue stores.
 template <typename Value>
-constexpr HeldValue<Value> to_parameter_value(const Value& value) {
+constexpr StoredValue<Value> to_parameter_value(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
     return word_of(value);
   } else {
-    return static_cast<HeldValue<Value>>(value);
+    return static_cast<StoredValue<Value>>(value);
   }
 }
 
-/// Converts a parameter's value to the type of the member. A word becomes an enumeration value or, for a list, the
-/// empty list.
+/// Converts a parameter's value to `Value`, the type of a member of an options struct. A word becomes an enumeration
+/// value or, if `Value` is IntegerList, the empty list.
 template <typename Value>
 Value member_value(const ParameterValue& value) {
   if constexpr (std::is_same_v<Value, IntegerList>) {
@@ -64,12 +65,12 @@ Value member_value(const ParameterValue& value) {
   } else if constexpr (std::is_enum_v<Value>) {
     return value_of_word<Value>(std::get<std::string_view>(value)).value();
   } else {
-    return static_cast<Value>(std::get<HeldValue<Value>>(value));
+    return static_cast<Value>(std::get<StoredValue<Value>>(value));
   }
 }
 
 /// Makes an OptionParameter for a member of an options struct: an integer, an IntegerList, a double, a bool or an
-/// enumeration with words_of. Every word among the choices of a list means the empty list.
+/// enumeration with words_of. For an IntegerList, every word in `choices`, such as "auto", stands for the empty list.
 template <auto member>
 constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description,
                          std::span<const std::string_view> choices = {}) {
@@ -98,7 +99,7 @@ constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view 
       .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};
 }
 
-/// Overload for a bool or an enumeration, which have no bounds.
+/// Makes an OptionParameter for a bool or an enumeration, which have no bounds.
 template <auto member>
 constexpr auto option_of(std::string_view name, std::string_view description) {
   return option_of<member>(name, Bounds{}, description);

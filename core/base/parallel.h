@@ -10,8 +10,8 @@
 
 namespace shapegauge {
 
-/// Calls body(begin, end) for ranges that make up [0, count), in parallel in the calling TBB arena. Rethrows exceptions
-/// of the body; throws Interrupted if the work is cancelled.
+/// Calls body(begin, end) for disjoint index ranges [begin, end) that cover [0, count), in parallel in the calling TBB
+/// arena. Rethrows exceptions of the body; throws Interrupted if the work is cancelled.
 void parallel_for_ranges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 /// Calls body(i) for each index in [first, last), in parallel. Throws like parallel_for_ranges().
@@ -24,7 +24,8 @@ void parallel_for(Index first, Index last, const Body& body) {
   });
 }
 
-/// Calls body(i) for each index in [first, last), in parallel or serially. Throws like parallel_for_ranges().
+/// Calls body(i) for each index in [first, last), in parallel or, if `parallel` is false, in order. Throws like
+/// parallel_for_ranges().
 template <typename Index, typename Body>
 void for_each_index(bool parallel, Index first, Index last, const Body& body) {
   if (parallel) return parallel_for(first, last, body);

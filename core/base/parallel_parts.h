@@ -12,10 +12,10 @@
 
 namespace shapegauge {
 
-/// Calls body(subrange) in parallel for subranges chosen by TBB that make up the range. Throws Interrupted if
+/// Calls body(subrange) in parallel for disjoint subranges, chosen by TBB, that cover the range. Throws Interrupted if
 /// cancelled.
 template <typename Range, typename Body>
-void parallel_for_parts(const Range& range, const Body& body) {
+void interruptible_parallel_for(const Range& range, const Body& body) {
   tbb::parallel_for(range, body);
   check_interruption();
 }
@@ -23,7 +23,7 @@ void parallel_for_parts(const Range& range, const Body& body) {
 /// Reduces a range in parallel: combines the results of body(subrange, partial value) over subranges chosen by TBB with
 /// join(a, b), starting from `identity`. Throws Interrupted if cancelled.
 template <typename Range, typename Value, typename Body, typename Join>
-Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
+Value interruptible_parallel_reduce(const Range& range, const Value& identity, const Body& body, const Join& join) {
   const Value result = tbb::parallel_reduce(range, identity, body, join);
   check_interruption();
   return result;

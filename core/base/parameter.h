@@ -20,12 +20,12 @@ namespace shapegauge {
 /// Interval of valid values, closed unless an end is marked as open. Infinite ends mean no limit; infinity itself and
 /// NaN are never valid.
 struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;
-  bool high_open = false;
+  double low = -std::numeric_limits<double>::infinity();  ///< lower end
+  double high = std::numeric_limits<double>::infinity();  ///< upper end
+  bool low_open = false;                                  ///< true if the lower end itself is not valid
+  bool high_open = false;                                 ///< true if the upper end itself is not valid
 
-  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] bool contains(double value) const;  ///< returns true if the value is valid
 };
 
 /// Formats the interval in words that follow "it must be": "from 0 to 1", "above 0 and at most 1", "at least 1".
@@ -37,7 +37,7 @@ void require_in_bounds(std::string_view what, double value, const Bounds& bounds
 /// List of at most 16 integers. As an option, the empty list means "auto".
 class IntegerList {
  public:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 16;  ///< maximum number of integers in a list
 
   constexpr IntegerList() = default;
   constexpr IntegerList(int value) : IntegerList{std::int64_t{value}} {}  // NOLINT: one number is a list of one
@@ -45,10 +45,11 @@ class IntegerList {
 
   /// Throws ArgumentError for more than 16 values.
   constexpr explicit IntegerList(std::span<const std::int64_t> values) : size_(values.size()) {
-    if (size_ > most) throw ArgumentError("a list of more than 16 whole numbers");
+    if (size_ > most) throw ArgumentError("a list may have at most 16 whole numbers");
     for (std::size_t i = 0; i < size_; ++i) values_[i] = values[i];
   }
 
+  /// Returns the integers of the list.
   [[nodiscard]] constexpr std::span<const std::int64_t> values() const { return {values_.data(), size_}; }
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
 
@@ -64,11 +65,12 @@ enum class ParameterKind {
   number,    ///< finite double within the bounds, or one of the choices if there are any ("auto")
   integer,   ///< integer within the bounds
   integers,  ///< list of up to 16 integers within the bounds, or one of the choices
-  boolean,
-  choice  ///< one of the words in Parameter::choices
+  boolean,   ///< true or false
+  choice     ///< one of the words in Parameter::choices
 };
 
-/// Value of a parameter, or none. A word is a view of one of the parameter's choices and is valid as long as they are.
+/// Value of a parameter, or std::monostate for no value. A word is a view of one of the parameter's choices and is
+/// valid as long as they are.
 using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view, IntegerList>;
 
 /// Parameter::unit of lengths that are fractions of the bounding-box diagonal.
@@ -78,14 +80,16 @@ inline constexpr std::string_view bounding_box_diagonals = "diagonals of the bou
 /// command line and the documentation are generated from these lists, and algorithms validate their options against the
 /// same bounds.
 struct Parameter {
-  std::string_view name;
-  ParameterKind kind = ParameterKind::number;
-  ParameterValue default_value = {};               ///< default value, of the parameter's kind; none if mandatory
-  Bounds bounds = {};                              ///< valid values of numbers and integers
-  std::span<const std::string_view> choices = {};  ///< valid words, of a choice or instead of a number
-  std::string_view description;                    ///< description in one sentence
-  std::string_view unit = {};                      ///< unit of a number, as in "in degrees"; empty for a pure number
+  std::string_view name;                       ///< name in configurations, such as "bins"
+  ParameterKind kind = ParameterKind::number;  ///< type of the values
+  ParameterValue default_value = {};           ///< default value, of the parameter's kind; none if mandatory
+  Bounds bounds = {};                          ///< valid values of numbers and integers
+  /// Valid words of a choice, or words such as "auto" that a number or list may have as its value.
+  std::span<const std::string_view> choices = {};
+  std::string_view description;  ///< meaning of the parameter in one sentence, for help and documentation
+  std::string_view unit = {};    ///< unit of a number, as in "in degrees"; empty for a pure number
 
+  /// Returns true for a mandatory parameter, which has no default.
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
 
@@ -110,7 +114,7 @@ std::string unit_phrase(const Parameter& parameter);
 /// Describes the valid values of a parameter: "a number from 0 to 1, in degrees, or auto".
 std::string legal_values(const Parameter& parameter);
 
-/// Values for a list of parameters. Refers to the list, which must outlive it.
+/// Values for a list of parameters, such as those of one field. Refers to the list, which must outlive the object.
 class ParameterValues {
  public:
   /// Sets all values to their defaults.
@@ -122,7 +126,7 @@ class ParameterValues {
   /// Throws InputError for the first mandatory parameter without a value.
   void require_complete() const;
 
-  /// Returns the value of a parameter; null if it is not in the list.
+  /// Returns the value of a parameter, or std::monostate if it has none; null if the parameter is not in the list.
   [[nodiscard]] const ParameterValue* find(std::string_view name) const;
 
   /// Returns the value of a parameter in the C++ type of its kind. The parameter must be in the list and have a value.
@@ -136,14 +140,14 @@ class ParameterValues {
 
   [[nodiscard]] std::span<const Parameter> parameters() const { return parameters_; }
 
-  /// Compares the values; true only for the same list of parameters.
+  /// Returns true if both objects refer to the same list of parameters and all values are equal.
   bool operator==(const ParameterValues& other) const {
     return parameters_.data() == other.parameters_.data() && values_ == other.values_;
   }
 
  private:
-  std::span<const Parameter> parameters_;
-  std::vector<ParameterValue> values_;
+  std::span<const Parameter> parameters_;  ///< parameters that have values
+  std::vector<ParameterValue> values_;     ///< value of each parameter
 };
 
 }  // namespace shapegauge

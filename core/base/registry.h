@@ -15,7 +15,8 @@
 
 namespace shapegauge {
 
-/// Returns true if none of an entry's function members is null or empty. `functions` are pointers to these members.
+/// Returns true if all mandatory functions of a registry entry are set: neither null nor empty. `functions` are
+/// pointers to these members.
 template <auto... functions, typename Entry>
 bool has_functions([[maybe_unused]] const Entry& entry) {
   return (static_cast<bool>(entry.*functions) && ...);
@@ -29,9 +30,9 @@ class Registry {
  public:
   /// Creates a registry.
   /// - `kind`: noun for an entry in messages, for example "descriptor".
-  /// - `own`: the library's entries, with distinct names.
+  /// - `own`: the built-in entries, with distinct names.
   /// - `is_complete`: true for an entry with the functions that it must have: has_functions<&Entry::function>.
-  /// - `check`: throws InputError for an entry that is invalid otherwise; null if none is.
+  /// - `check`: throws InputError for an entry that is invalid for another reason; null: no further check.
   Registry(std::string_view kind, std::vector<Entry> own, bool (*is_complete)(const Entry&),
            void (*check)(const Entry&) = nullptr)
       : kind_(kind), is_complete_(is_complete), check_(check) {
@@ -39,12 +40,12 @@ class Registry {
   }
 
   /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer
-  /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken and for an entry
-  /// without a function that it must have, and as the constructor's `check` does.
+  /// to must live as long as the program. Throws ArgumentError for a name that is empty or already registered, and for
+  /// an entry without a mandatory function; throws as the constructor's `check` does.
   void add(Entry entry) {
     if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
     if (!is_complete_(entry)) {
-      throw ArgumentError("the " + kind_ + " \"" + std::string(entry.name) + "\" lacks a function");
+      throw ArgumentError("the " + kind_ + " \"" + std::string(entry.name) + "\" lacks a mandatory function");
     }
     if (check_ != nullptr) check_(entry);
     const std::unique_lock lock(mutex_);
@@ -61,7 +62,7 @@ class Registry {
     return find_if([&](const Entry& entry) { return entry.name == name; });
   }
 
-  /// Returns the first entry that satisfies the predicate, or null.
+  /// Returns the first entry for which predicate(entry) is true; null if there is none.
   template <typename Predicate>
   [[nodiscard]] const Entry* find_if(const Predicate& predicate) const {
     const std::shared_lock lock(mutex_);
@@ -71,8 +72,8 @@ class Registry {
     return nullptr;
   }
 
-  /// Returns the entry called `name`. Throws ArgumentError for an unknown name; the message suggests the nearest or
-  /// lists all.
+  /// Returns the entry called `name`. Throws ArgumentError for an unknown name; the message suggests the nearest
+  /// name or lists all names.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
     throw ArgumentError(unknown_word_message(kind_, name, names()));
@@ -84,7 +85,7 @@ class Registry {
     return {entries_.begin(), entries_.end()};
   }
 
-  /// Returns the names of all entries.
+  /// Returns the names of all entries, in the order of registration.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const Entry& entry : entries()) all.emplace_back(entry.name);

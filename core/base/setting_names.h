@@ -13,8 +13,8 @@ namespace shapegauge {
 /// none.
 using SettingSpelling = std::string (*)(std::string_view name, std::string_view value);
 
-/// Replaces the settings that a message names in backquotes, between spaces or punctuation. Other text in backquotes
-/// stays, such as that in names of files.
+/// Replaces each setting that a message names in backquotes, such as `offset=0.03`, by `spelling` of its name and
+/// value. Other text in backquotes stays, such as that within file names.
 std::string spell_settings(std::string_view message, SettingSpelling spelling);
 
 }  // namespace shapegauge

@@ -13,7 +13,7 @@ namespace shapegauge {
 /// the file is entry i - 1. A trailing line end starts no further line. The views point into the text.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// Returns true for an ASCII digit, in any locale.
+/// Returns true for a decimal digit, 0 to 9, in any locale.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes leading and trailing blanks (space, tab).
@@ -32,11 +32,12 @@ std::optional<double> parse_number(std::string_view word);
 /// Formats a count with a noun in the singular (`one`) or plural (`several`): "1 row", "3 rows".
 std::string count_text(std::int64_t count, std::string_view one, std::string_view several);
 
-/// Formats a number for messages with two significant digits, and from 100 to 10^6 as an integer: "0.12", "250".
+/// Formats a number for messages with two significant digits, or as an integer if its magnitude is from 100 to 10^6:
+/// "0.12", "250".
 std::string two_digits(double number);
 
-/// Formats a number with `digits` significant digits and without an exponent: "1234600", "0.00012". Numbers from 1e15
-/// on and below 1e-9 have an exponent.
+/// Formats a number with at most `digits` significant digits and without an exponent: "1234600", "0.00012". Magnitudes
+/// of at least 1e15 or below 1e-9 have an exponent.
 std::string plain_number(double number, int digits);
 
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.

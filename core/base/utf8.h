@@ -8,11 +8,11 @@
 
 namespace shapegauge {
 
-/// Appends a Unicode code point, encoded as UTF-8.
+/// Appends the Unicode code point `character`, encoded as UTF-8, to `text`.
 void append_utf8(std::string& text, std::uint32_t character);
 
 /// Converts a text that begins with the byte order mark of UTF-16, as Excel writes it, to UTF-8; returns any other text
-/// as it is. Invalid surrogates become U+FFFD.
+/// unchanged. Invalid surrogates become U+FFFD.
 std::string to_utf8(std::string text);
 
 /// Returns the length, in bytes, of the UTF-8 character at the beginning of the text; 0 if it is invalid.

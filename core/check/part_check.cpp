@@ -196,7 +196,7 @@ ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int
 void measure_smallest(const CellSampler& sampler, std::span<const ThinCell> cells,
                       const std::vector<std::int32_t>& members, ThinRegion& region) {
   const auto value = [&](std::int32_t i) { return min_of(at(cells, i)); };
-  const MeasuredPoint smallest = sampler.min_near(at(cells, *std::ranges::min_element(members, {}, value)));
+  const SampledBall smallest = sampler.smallest_ball_in(at(cells, *std::ranges::min_element(members, {}, value)));
   region.minimum = smallest.ball.diameter;
   region.position = smallest.position;
   region.opposite = smallest.ball.contact;
@@ -264,13 +264,16 @@ CheckedSurface surface_of(const CheckedSide& walls, const CheckedSide& gaps) {
 
 void check_input(const Shape& mesh, const CheckOptions& options) {
   require_usable(mesh);
-  if (is_cloud(mesh)) throw InputError("walls and gaps are checked on meshes, and this shape has no faces");
-  if (!(surface_area(mesh) > 0)) throw InputError("the mesh has no area");
+  if (is_cloud(mesh))
+    throw InputError(
+        "walls and gaps are checked on meshes, and this shape has no faces; reconstruct its surface first");
+  if (!(surface_area(mesh) > 0)) throw InputError("the mesh has no area: all its triangles are degenerate");
   for (const auto& [name, value] : {std::pair<std::string_view, double>{"min_wall", options.min_wall},
                                     {"min_gap", options.min_gap},
                                     {"min_area", options.min_area}}) {
     if (!(value >= 0 && std::isfinite(value))) {
-      throw ArgumentError(std::string("`") + std::string(name) + "` must be a finite number, 0 or more");
+      throw ArgumentError(std::string("`") + std::string(name) + "` is " + std::to_string(value) +
+                          "; it must be a finite number, 0 or more");
     }
   }
   if (options.min_wall == 0 && options.min_gap == 0) throw ArgumentError("`min_wall` or `min_gap` is required");

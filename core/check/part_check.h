@@ -15,37 +15,37 @@ namespace shapegauge {
 struct CheckOptions {
   double min_wall = 0;  ///< minimum thickness of walls; 0: not checked
   double min_gap = 0;   ///< minimum width of gaps; 0: not checked
-  /// Minimum area of the regions to list; smaller regions are only counted. At least the square of an eighth of the
-  /// limit is used, but no more than a hundredth of the surface: a part much smaller than the limit is a thin wall.
+  /// Minimum area of the regions to list; smaller regions are only counted. It is raised to the square of an eighth of
+  /// the limit (min_wall or min_gap), or to a hundredth of the surface if that is less, for very small parts.
   double min_area = 0;
-  bool keep_surface = false;       ///< fill PartReport::surface
-  InscribedBallOptions ball = {};  ///< options of the balls that measure thickness and width
+  bool keep_surface = false;       ///< true to fill PartReport::surface
+  InscribedBallOptions ball = {};  ///< options of the balls whose diameters are the thickness and width
 };
 
 /// Connected region of the surface whose thickness, or distance across a gap, is below the limit.
 struct ThinRegion {
-  double area = 0;     ///< area of the region
-  double minimum = 0;  ///< diameter of the smallest ball in the region: its smallest thickness or width
-  double median = 0;   ///< median of the ball diameters in the region, weighted by area
-  /// Point of the region that the smallest ball touches.
+  double area = 0;     ///< area of the region, in the shape's units squared
+  double minimum = 0;  ///< smallest wall thickness or gap width in the region, in the shape's units
+  double median = 0;   ///< median wall thickness or gap width in the region, weighted by area, in the shape's units
+  /// Point of the region where the thickness or width is `minimum`.
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  /// Point of the opposite surface that the smallest ball of the region touches.
+  /// Point of the surface opposite to `position`, which the ball of the diameter `minimum` touches too.
   Eigen::Vector3d opposite = Eigen::Vector3d::Zero();
   /// True for a sharp edge or notch whose sides diverge by more than 30 degrees until their distance reaches the limit
   /// of thin walls or gaps. It is listed, but is no violation. A thin region that never reaches the limit is a wall,
   /// whatever its cross-section.
   bool is_edge = false;
-  std::vector<std::int32_t> faces;  ///< faces that the region covers at least partly, ascending
+  std::vector<std::int32_t> faces;  ///< indices of the faces that the region covers at least partly, ascending
 };
 
 /// Thin regions of a surface below one limit, that of wall thickness or that of gap width.
 struct ThinRegions {
-  double limit = 0;                 ///< minimum thickness or width that was checked; 0: not checked
+  double limit = 0;  ///< minimum thickness or width that was checked, in the shape's units; 0: not checked
   std::vector<ThinRegion> regions;  ///< regions of at least the minimum area, largest first
-  std::size_t small_regions = 0;    ///< number of regions smaller than CheckOptions::min_area
-  double small_area = 0;            ///< total area of the small regions
-  /// Maximum spacing of the samples, in the shape's units: the limit, or more on a mesh of a very large area. Narrower
-  /// thin regions may be missed.
+  std::size_t small_regions = 0;    ///< number of regions that are not listed because they are below the minimum area
+  double small_area = 0;            ///< total area of the regions that are not listed, in the shape's units squared
+  /// Maximum spacing of the samples, in the shape's units: the limit, or more on a mesh of a very large area. Thin
+  /// regions narrower than this may be missed.
   double spacing = 0;
 
   /// Returns true if no region is a violation: all are sharp edges or notches (ThinRegion::is_edge).
@@ -54,19 +54,19 @@ struct ThinRegions {
 
 /// Surface of a part as a mesh whose triangles are divided where thickness or gap width is below a limit.
 struct CheckedSurface {
-  Shape mesh;
-  Eigen::VectorXd fractions;  ///< per triangle: smallest ball diameter / limit; NaN where the part passes
+  Shape mesh;                 ///< divided surface, in the shape's coordinates
+  Eigen::VectorXd fractions;  ///< per triangle: smallest thickness or width / limit; NaN where the limits are met
 };
 
 /// Result of check_part().
 struct PartReport {
-  ThinRegions walls;            ///< regions whose thickness is below CheckOptions::min_wall
-  ThinRegions gaps;             ///< regions whose distance across a gap is below CheckOptions::min_gap
-  std::size_t voids = 0;        ///< number of closed cavities (closed_components())
-  bool closed = false;          ///< true if closed and consistently oriented; otherwise each face's orientation decides
-  CheckedSurface surface = {};  ///< empty unless CheckOptions::keep_surface
+  ThinRegions walls;      ///< regions whose thickness is below CheckOptions::min_wall
+  ThinRegions gaps;       ///< regions whose distance across a gap is below CheckOptions::min_gap
+  std::size_t voids = 0;  ///< number of closed cavities inside the part (closed_components())
+  bool closed = false;    ///< true if closed and consistently oriented; if not, normals are assumed to point outwards
+  CheckedSurface surface = {};  ///< surface divided along thin regions; empty unless CheckOptions::keep_surface
 
-  [[nodiscard]] bool passes() const { return walls.pass() && gaps.pass(); }
+  [[nodiscard]] bool passes() const { return walls.pass() && gaps.pass(); }  ///< true without violations
 };
 
 /// Finds the regions of a mesh whose walls are too thin or whose gaps are too narrow (docs/manual/check.md).

@@ -125,7 +125,7 @@ CellSampler::Finding CellSampler::examine(const Cell& cell) const {
   }
   if (below == 0) return {};
   if (below < 3 && size > border_size * limit_) return {.split = true};
-  thin.area = area_of(cell) * share_below(thin);
+  thin.area = area_of(cell) * fraction_below(thin);
   thin.is_edge = 2 * edges > below;
   return {.thin = thin};
 }
@@ -183,7 +183,7 @@ double CellSampler::crossing(const Cell& cell, const Eigen::Vector3d& below, con
 }
 
 /// Returns the fraction of a cell below the limit. The border of the region is taken to cross it in a straight line.
-double CellSampler::share_below(const ThinCell& thin) const {
+double CellSampler::fraction_below(const ThinCell& thin) const {
   const auto below = std::ranges::count_if(thin.diameters, &std::optional<double>::has_value);
   if (below == 3) return 1;
   // The corner on its own side of the border.
@@ -198,9 +198,9 @@ double CellSampler::share_below(const ThinCell& thin) const {
   return below == 1 ? triangle : 1 - triangle;
 }
 
-MeasuredPoint CellSampler::min_near(const ThinCell& thin) const {
+SampledBall CellSampler::smallest_ball_in(const ThinCell& thin) const {
   const double finest = 1e-3 * limit_;
-  std::optional<MeasuredPoint> least;
+  std::optional<SampledBall> least;
   // Returns the smallest diameter in a cell, and keeps the least of all.
   const auto smallest_in = [&](const Cell& cell) {
     double smallest = std::numeric_limits<double>::infinity();
@@ -209,7 +209,7 @@ MeasuredPoint CellSampler::min_near(const ThinCell& thin) const {
       const std::optional<TouchingBall> ball = ball_at(cell, position);
       if (!ball) continue;
       smallest = std::min(smallest, ball->diameter);
-      if (!least || ball->diameter < least->ball.diameter) least = MeasuredPoint{position, *ball};
+      if (!least || ball->diameter < least->ball.diameter) least = SampledBall{position, *ball};
     }
     return smallest;
   };

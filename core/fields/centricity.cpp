@@ -26,7 +26,9 @@ Sites sites_of(const Samples& at_vertices) {
   for (Eigen::Index v = 0; v < at_vertices.weights.size(); ++v) {
     if (at_vertices.weights[v] > 0) sites.vertices.push_back(static_cast<std::int32_t>(v));
   }
-  if (sites.vertices.empty()) throw InputError("a shape without area has no centricity");
+  if (sites.vertices.empty())
+    throw InputError(
+        "the field centricity needs a shape with area; check it for degenerate triangles or coincident points");
   sites.areas = at_vertices.weights(sites.vertices);
   return sites;
 }
@@ -113,7 +115,7 @@ Eigen::MatrixXd at_points(const Shape& cloud, const Samples& samples, const Eige
 
 }  // namespace
 
-Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
+Eigen::MatrixXd interpolate_to_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
   const bool at_faces = samples.site == SampleSite::faces && !is_cloud(shape);
   const bool on_triangles = samples.site == SampleSite::surface && !is_cloud(shape);
   const Eigen::Index expected = at_faces       ? shape.triangles.rows()
@@ -143,7 +145,7 @@ Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const Cen
   const Eigen::VectorXd values = options.measure == Centricity::mean
                                      ? Eigen::VectorXd(landmarks.distances * landmarks.areas / landmarks.areas.sum())
                                      : Eigen::VectorXd(landmarks.distances.rowwise().maxCoeff());
-  return at_samples(shape, samples, values);
+  return interpolate_to_samples(shape, samples, values);
 }
 
 Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure) {

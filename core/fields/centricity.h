@@ -27,9 +27,9 @@ inline constexpr std::array<std::string_view, 2> words_of<Centricity>{"mean", "e
 
 /// Options of centricity().
 struct CentricityOptions {
-  Centricity measure = Centricity::mean;
-  GeodesicOptions geodesics = {};
-  int sources = 48;  ///< number of landmark vertices; all vertices if the shape has no more
+  Centricity measure = Centricity::mean;  ///< statistic of the distances
+  GeodesicOptions geodesics = {};         ///< algorithm for the distances
+  int sources = 48;  ///< number of landmark vertices from which distances are measured; at most all vertices
 };
 
 /// Names, bounds and help texts of the parameters in CentricityOptions (option_parameters.h).
@@ -43,8 +43,9 @@ inline constexpr std::array centricity_table = {
         "Number of landmarks from which distances are computed; the proxy always has 500."),
 };
 
-/// Computes the mean geodesic distance, or the eccentricity, at the samples, in the shape's units. It is small in the
-/// middle of a shape, large at its ends, and nearly invariant to bending.
+/// Computes the centricity at the samples, in the shape's units: the mean geodesic distance to the rest of the surface,
+/// or the largest (eccentricity). It is small in the middle of a shape, large at its ends, and nearly invariant to
+/// bending.
 ///
 /// Distances are measured from landmarks in farthest-point order. The first is the vertex geodesically farthest from
 /// the vertex farthest from the centroid; each further one is the vertex farthest from the previous ones (ties: the
@@ -57,13 +58,13 @@ inline constexpr std::array centricity_table = {
 /// does.
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options = {});
 
-/// Computes the mean geodesic distance, or the eccentricity, at the points of a surface proxy, from their distances to
-/// the proxy's landmarks; in the shape's units.
+/// Computes the centricity (mean geodesic distance or eccentricity) at the points of a surface proxy, one value per
+/// point, from their distances to the proxy's landmarks; in the shape's units.
 Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure);
 
 /// Interpolates values at a shape's vertices (one row per vertex) to samples of the shape (one row per sample):
 /// barycentrically for samples inside triangles, by lookup for samples at a cloud's points. Throws InputError for
 /// samples of another shape.
-Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices);
+Eigen::MatrixXd interpolate_to_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices);
 
 }  // namespace shapegauge

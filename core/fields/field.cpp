@@ -47,7 +47,7 @@ void check_field_type(const FieldType& type) {
   };
   if (std::ranges::any_of(type.parameters, reserved)) {
     throw ArgumentError(
-        fmt::format("the parameters of a field are not called type, at or bilateral: \"{}\"", type.name));
+        fmt::format("a parameter of the field \"{}\" is called type, at or bilateral, which are reserved", type.name));
   }
 }
 

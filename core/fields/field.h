@@ -30,7 +30,8 @@ struct Spectrum;
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  /// Refers to a shape. Pass its diagnostics, if known, to skip computing them; the shape may have been scaled since.
+  /// Refers to a shape. Pass its diagnose() result, if known, to skip computing it for automatic_offset(); only
+  /// relative lengths are used, so the diagnostics may be those of the shape at another scale.
   explicit FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known = {});
   ~FieldSource();
   FieldSource(const FieldSource&) = delete;
@@ -55,17 +56,17 @@ class FieldSource {
 
  private:
   const Shape* shape_;
-  std::optional<ShapeDiagnostics> known_;
+  std::optional<ShapeDiagnostics> known_;  ///< diagnostics passed to the constructor
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
   std::optional<AutomaticOffset> automatic_offset_;
   std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< spectra by requested number of eigenvalues
   std::unique_ptr<ProxySource> proxy_;
 };
 
-/// Where a field is sampled on a shape: at each face, each vertex, or a number of points of the surface.
+/// Where a field is sampled on a shape: at each face, at each vertex, or at a number of points of the surface.
 struct SamplePlan {
-  SampleSite site = SampleSite::faces;
-  Eigen::Index count = 0;  ///< number of samples if `site` is surface; otherwise unused
+  SampleSite site = SampleSite::faces;  ///< faces, vertices or points of the surface
+  Eigen::Index count = 0;               ///< number of points of the surface; unused for faces and vertices
 
   auto operator<=>(const SamplePlan&) const = default;
 };
@@ -80,7 +81,8 @@ using FieldOutcomes = std::map<std::string, std::size_t>;
 /// Converts the sample counts of an offset SDF to counts by name of outcome.
 FieldOutcomes field_outcomes(const OffsetSdfOutcomes& outcomes);
 
-/// Returns a warning such as "3 of 200 samples missing" for each outcome that users should know about.
+/// Returns a warning such as "3 of 200 samples undecided" for each problem that occurred: samples that are missing,
+/// undecided, two-sided (outside on both sides) or computed with an enlarged offset.
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);
 
 /// Returns a warning if the weights of samples have no positive, finite sum: area-weighted means and fractions
@@ -92,9 +94,10 @@ struct FieldValues {
   Eigen::VectorXd values;       ///< value at each sample; NaN if missing
   Points normals = {};          ///< outward unit normal at each sample if the field estimates normals; otherwise empty
   FieldOutcomes outcomes = {};  ///< sample counts by outcome; default: "total" and "missing", from the values
-  std::optional<double> offset = {};  ///< automatically chosen offset, as a fraction of the bounding-box diagonal
+  /// Automatically chosen offset, in bounding-box diagonals; absent if none was chosen.
+  std::optional<double> offset = {};
   double build_seconds =
-      0;  ///< time to build spatial structures, including those shared with other fields of the shape
+      0;  ///< time to build search structures of the shape, even if other fields share them; 0 if not measured
   double query_seconds = 0;  ///< time of all queries; total time if the field does not separate building and queries
 };
 
@@ -105,8 +108,8 @@ using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bo
 /// Physical dimension of a field's values: the power of the shape's scale that they are proportional to.
 enum class FieldDimension { none = 0, length = 1, area = 2 };
 
-/// Returns the factor by which values of a dimension change if lengths change by the factor `length`: `length` to the
-/// power of the dimension.
+/// Returns the factor by which values of a dimension change if a shape is scaled by the factor `length`: `length` to
+/// the power 0, 1 or 2.
 double unit_of(FieldDimension dimension, double length);
 
 /// Cache versions of algorithms by name; see docs/manual/cache.md.
@@ -116,18 +119,18 @@ using AlgorithmVersions = std::map<std::string, int>;
 struct FieldComputation {
   AlgorithmVersions versions;  ///< versions of all algorithms that the values depend on, except sampling
   FieldDimension dimension = FieldDimension::length;  ///< physical dimension of the values, to undo scaling of shapes
-  FieldFunction compute;
+  FieldFunction compute;                              ///< computes the values at samples of a shape
 };
 
 /// Entry of field_types(): a kind of scalar field on shapes, its parameters and the function that makes it.
 struct FieldType {
-  std::string name;
-  std::string description;  ///< description in one sentence
+  std::string name;         ///< name in configurations, such as "offset_sdf"
+  std::string description;  ///< what the field measures, in one sentence, for listings and help
   /// Parameters of the type. Their names, choices and descriptions are not copied and must outlive the entry.
   std::vector<Parameter> parameters;
   /// Returns the computation of the field for given settings. Throws InputError if settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
-  bool is_thickness = false;  ///< values are thicknesses in the shape's units: a method of the command `sdf`
+  bool is_thickness = false;  ///< true if values are thicknesses in the shape's units; such types are methods of `sdf`
 };
 
 /// Returns the registry of field types: the built-in ones, followed by added ones (docs/developer/extending.md). An
@@ -139,9 +142,9 @@ std::span<const Parameter> bilateral_parameters();
 
 /// Settings of a field: type, parameter values, sampling and smoothing. Equal settings mean the same field.
 struct FieldSettings {
-  std::string type;  ///< name of the type in field_types()
-  ParameterValues values;
-  SamplePlan samples = {};
+  std::string type;                               ///< name of the type in field_types()
+  ParameterValues values;                         ///< values of the parameters of the type
+  SamplePlan samples = {};                        ///< where the field is sampled
   std::optional<ParameterValues> smoothing = {};  ///< values of bilateral_parameters(); absent: no smoothing
 
   bool operator==(const FieldSettings&) const = default;
@@ -153,13 +156,13 @@ FieldSettings field_settings(std::string_view type);
 
 /// Scalar field: its settings and the function that computes its values.
 struct Field {
-  FieldSettings settings;
-  AlgorithmVersions versions;
-  FieldDimension dimension = FieldDimension::length;
-  FieldFunction compute;
+  FieldSettings settings;      ///< settings that the field was made from
+  AlgorithmVersions versions;  ///< versions of all algorithms that the values depend on, except sampling
+  FieldDimension dimension = FieldDimension::length;  ///< physical dimension of the values, to undo scaling of shapes
+  FieldFunction compute;  ///< computes the values at samples of a shape, smoothed if the settings say so
 };
 
-/// Makes the field with the given settings. Throws InputError for a type that is not in field_types(), for a setting
+/// Makes a field from its settings. Throws InputError for a type that is not in field_types(), for a setting
 /// without a value, and for settings that contradict each other.
 Field make_field(FieldSettings settings);
 

@@ -6,13 +6,14 @@
 /// Functions that make the built-in entries of field_types(); not part of the public interface.
 namespace shapegauge {
 
-FieldType offset_sdf_type();
-FieldType cone_sdf_type();
-FieldType inscribed_ball_type();
-FieldType gap_type();
-FieldType centricity_type();
-FieldType heat_kernel_type();
+FieldType offset_sdf_type();      ///< makes the field type of the SDF of the offset surface
+FieldType cone_sdf_type();        ///< makes the field type of the SDF from rays in a cone
+FieldType inscribed_ball_type();  ///< makes the field type of the wall thickness by inscribed balls
+FieldType gap_type();             ///< makes the field type of the width of gaps: diameters of largest outer balls
+FieldType centricity_type();      ///< makes the field type of geodesic centricity
+FieldType heat_kernel_type();     ///< makes the field type of the heat kernel signature at one time
+/// Makes the field type of one coefficient of the scale-invariant heat kernel signature.
 FieldType scale_invariant_type();
-FieldType wave_kernel_type();
+FieldType wave_kernel_type();  ///< makes the field type of the wave kernel signature at one energy
 
 }  // namespace shapegauge

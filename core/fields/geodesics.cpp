@@ -153,7 +153,8 @@ GeodesicDistances graph_distances(const Shape& shape, std::span<const std::int32
 GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& options) {
   check_options("geodesic distances", geodesic_table, options);
   require_usable(shape);
-  if (shape.vertices.rows() == 0) throw InputError("geodesic distances need a shape with vertices");
+  if (shape.vertices.rows() == 0)
+    throw InputError("geodesic distances need a shape with vertices, and this one has none");
   const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   if (options.method == GeodesicMethod::graph) return graph_distances(shape, merged, options.neighbours);
   Shape merged_shape = without_duplicates(shape);

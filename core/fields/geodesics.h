@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 3> words_of<GeodesicMethod>{"graph
 
 /// Options of geodesic_distances().
 struct GeodesicOptions {
-  GeodesicMethod method = GeodesicMethod::graph;
+  GeodesicMethod method = GeodesicMethod::graph;  ///< algorithm
   int neighbours = 8;  ///< number of nearest points connected in a cloud, and across gaps between components
 };
 
@@ -35,7 +35,7 @@ inline constexpr std::array geodesic_table = {
                                         "CGAL's algorithms, for connected manifold meshes."),
     option_of<&GeodesicOptions::neighbours>(
         "neighbours", {.low = 1, .high = 64},
-        "Nearest points connected in a point cloud, and across the gaps between components."),
+        "Number of nearest points to which each point of a cloud is connected, also across gaps between components."),
 };
 
 /// Function that returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no
@@ -47,10 +47,10 @@ using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 ///
 /// `graph` connects vertices along edges and, across each edge with two triangles, along the straight segment in the
 /// unfolded plane of the triangles if it crosses the edge. Coincident vertices are welded, and duplicate triangles
-/// count once. Points of a cloud are connected to their nearest neighbours. Further edges
-/// connect all components, so that every distance is finite. First, vertices of different components that are mutual
-/// nearest neighbours are connected; then each component that is still separate with the closest other one, by 64
-/// vertices of each.
+/// count once. Points of a cloud are connected to their nearest neighbours. Further edges connect all components, so
+/// that every distance is finite. First, every vertex is connected to those of its nearest neighbours that belong to
+/// other components; then each component that is still separate is connected to the closest other one, found by up to
+/// 64 vertices of each.
 ///
 /// Throws InputError for options out of range, an unusable shape (require_usable()) and a shape without vertices. With
 /// `heat` and `exact`, also throws for anything but a connected manifold mesh.

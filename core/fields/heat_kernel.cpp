@@ -55,7 +55,9 @@ Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, con
   const Eigen::VectorXd& all = spectrum.eigenvalues;
   const Eigen::Index zeros = (all.array() <= zero * all[all.size() - 1]).count();
   const Eigen::Index positive = all.size() - zeros;
-  if (positive < 2) throw InputError("a wave kernel signature needs at least two positive eigenvalues");
+  if (positive < 2)
+    throw InputError(fmt::format(
+        "a wave kernel signature needs at least 2 positive eigenvalues, found {}; increase eigenvalues", positive));
   const Eigen::VectorXd energy = all.tail(positive).array().log();
   const double lowest = energy[0];
   const double highest = energy[positive - 1];

@@ -46,7 +46,7 @@ const Shape& checked(const Shape& shape, const InscribedBallOptions& options) {
   require_usable(shape);
   if (is_cloud(shape) && shape.normals.isZero(0)) {
     throw InputError(
-        "inscribed balls need outward normals, and the points have none, or none of their surface; estimate them first "
+        "inscribed balls need outward normals, and the points have none or wrong ones; estimate normals first "
         "(shapegauge normals)");
   }
   return shape;

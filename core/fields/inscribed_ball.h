@@ -18,7 +18,7 @@ inline constexpr int inscribed_ball_version = 4;
 
 /// Options of inscribed_ball().
 struct InscribedBallOptions {
-  double separation_angle_degrees = 105;  ///< minimum angle at the ball's centre between the sample and the contact
+  double separation_angle_degrees = 105;  ///< minimum angle, seen from the ball's centre, between sample and contact
   bool parallel = true;                   ///< distribute the samples over the threads of the calling TBB arena
 };
 
@@ -29,7 +29,7 @@ inline constexpr std::array inscribed_ball_table = {
                              "Minimum angle at the ball's centre between its two contacts.")),
 };
 
-/// Side of the surface on which a touching ball lies: inside measures walls, outside measures gaps.
+/// Side of the surface on which a ball touches it: balls inside measure walls, balls outside measure gaps.
 enum class BallSide {
   inside,   ///< opposite to the outward normal of the sample; the diameter is the wall thickness
   outside,  ///< in the direction of the outward normal of the sample; the diameter is the width of a gap
@@ -37,7 +37,7 @@ enum class BallSide {
 
 /// Ball that touches the surface at a sample and at an opposite point, in the shape's units.
 struct TouchingBall {
-  double diameter = 0;
+  double diameter = 0;      ///< diameter of the ball: the thickness of a wall or the width of a gap
   Eigen::Vector3d contact;  ///< opposite point of the surface that the ball touches
   /// Angle at the ball's centre between the sample and the contact, or between the surface normals at the two,
   /// whichever is larger: 180 between parallel walls.
@@ -56,8 +56,8 @@ class TouchingBalls {
   TouchingBalls(const TouchingBalls&) = delete;
   TouchingBalls& operator=(const TouchingBalls&) = delete;
 
-  /// Returns the diameters as inscribed_ball() does, on either side of the surface. Throws InputError for samples
-  /// without one normal each.
+  /// Returns one diameter per sample, NaN if missing, as inscribed_ball() does, for balls on either side of the
+  /// surface. Throws InputError for samples without one normal each.
   [[nodiscard]] Eigen::VectorXd diameters(const Samples& samples, BallSide side) const;
 
   /// Returns the ball that touches the surface at a point with a unit normal; nothing if the ball's diameter is not
@@ -65,8 +65,8 @@ class TouchingBalls {
   [[nodiscard]] std::optional<TouchingBall> ball_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                                     BallSide side, double limit) const;
 
-  /// Returns false only if no ball of a diameter below `limit` touches the surface at a point of a triangular part of
-  /// the mesh; may return true if there is no such ball. `normal` is the unit normal of the part.
+  /// Returns false only if no ball of a diameter below `limit` touches the surface at any point of `part`, a piece of a
+  /// triangle of the mesh with the unit normal `normal`; may return true if there is no such ball.
   [[nodiscard]] bool may_touch(const Triangle& part, const Eigen::Vector3d& normal, BallSide side, double limit) const;
 
  private:

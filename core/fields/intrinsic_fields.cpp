@@ -40,13 +40,14 @@ FieldComputation centricity_field(const ParameterValues& values, const SamplePla
   const auto [options, on] = options_from(centricity_field_table, values);
   if (on == FieldSurface::proxy) {
     if (options.geodesics.method != GeodesicMethod::graph) {
-      throw InputError(R"("method": "heat" and "exact" need "on": "mesh")");
+      throw InputError(R"("method": "heat" and "exact" need "on": "mesh", not "proxy")");
     }
-    return {.versions = {{"centricity", centricity_version}, {"surface_proxy", surface_proxy_version}},
-            .compute = [measure = options.measure](FieldSource& source, const Samples& samples, bool /*parallel*/) {
-              ProxySource& proxy = source.proxy();
-              return FieldValues{.values = proxy.at_samples(samples, centricity(proxy.geodesics(), measure))};
-            }};
+    return {
+        .versions = {{"centricity", centricity_version}, {"surface_proxy", surface_proxy_version}},
+        .compute = [measure = options.measure](FieldSource& source, const Samples& samples, bool /*parallel*/) {
+          ProxySource& proxy = source.proxy();
+          return FieldValues{.values = proxy.interpolate_to_samples(samples, centricity(proxy.geodesics(), measure))};
+        }};
   }
   return {.versions = {{"centricity", centricity_version}},
           .compute = [options = options](const FieldSource& source, const Samples& samples, bool /*parallel*/) {
@@ -61,8 +62,9 @@ struct SpectrumChoice {
 };
 
 constexpr std::array spectrum_table = {
-    option_of<&SpectrumChoice::eigenvalues>("eigenvalues", {.low = 2, .high = 1000},
-                                            "Number of eigenvalues of the Laplacian, smallest first."),
+    option_of<&SpectrumChoice::eigenvalues>(
+        "eigenvalues", {.low = 2, .high = 1000},
+        "Number of eigenvalues of the Laplacian, smallest first; more resolve finer details."),
     option_of<&SpectrumChoice::on>("on", meaning_of_on),
 };
 
@@ -77,7 +79,7 @@ FieldComputation spectral_field(const SpectrumChoice& choice,
                            FieldSource& source, const Samples& samples, bool /*parallel*/) {
               ProxySource& proxy = source.proxy();
               const Eigen::VectorXd at_points = column(proxy.spectrum(count), proxy.proxy().areas.sum());
-              return FieldValues{.values = proxy.at_samples(samples, at_points)};
+              return FieldValues{.values = proxy.interpolate_to_samples(samples, at_points)};
             }};
   }
   return {.versions = {{"heat_kernel", heat_kernel_version}},
@@ -85,7 +87,7 @@ FieldComputation spectral_field(const SpectrumChoice& choice,
           .compute = [column = std::move(column), count = choice.eigenvalues](
                          FieldSource& source, const Samples& samples, bool /*parallel*/) {
             const Eigen::VectorXd at_vertices = column(source.spectrum(count), surface_area(source.shape()));
-            return FieldValues{.values = at_samples(source.shape(), samples, at_vertices)};
+            return FieldValues{.values = interpolate_to_samples(source.shape(), samples, at_vertices)};
           }};
 }
 
@@ -147,7 +149,7 @@ FieldComputation wave_kernel_field(const ParameterValues& values, const SamplePl
   const WaveKernelField field = options_from(wave_kernel_field_table, values);
   if (field.energy >= field.options.energies) {
     throw InputError(
-        fmt::format("energy is {}; it must be less than energies, {}", field.energy, field.options.energies));
+        fmt::format("energy is {}; it must be less than energies, which is {}", field.energy, field.options.energies));
   }
   return spectral_field(field.spectrum,
                         [energy = field.energy, options = field.options](const Spectrum& spectrum, double area) {

@@ -61,7 +61,8 @@ void factorise(const SparseMatrix& matrix, double shift, Cholesky& solver) {
   SparseMatrix identity(matrix.rows(), matrix.cols());
   identity.setIdentity();
   solver.compute(matrix - shift * identity);
-  if (solver.info() != Eigen::Success) throw InputError("the mesh's Laplacian could not be factorised");
+  if (solver.info() != Eigen::Success)
+    throw InputError("the mesh's Laplacian could not be factorised; repair the mesh");
 }
 
 /// y = (A - shift)^-1 x for Spectra, in the orthogonal complement of the known eigenvectors.
@@ -130,7 +131,7 @@ Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift, s
   if (solver.info() != Spectra::CompInfo::Successful) {
     throw InputError(
         fmt::format("the {} smallest eigenvalues of the mesh's Laplacian did not converge in {} "
-                    "iterations; ask for fewer, or repair the mesh",
+                    "iterations; reduce their number, or repair the mesh",
                     count, max_iterations));
   }
   return {solver.eigenvalues(), solver.eigenvectors()};
@@ -148,7 +149,8 @@ Eigen::Index count_below(const SparseMatrix& matrix, double value) {
 Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, double shift) {
   if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
     const auto solver = eigen_decomposition(Eigen::MatrixXd(matrix));
-    if (solver.info() != Eigen::Success) throw InputError("the eigenvalues of the mesh's Laplacian did not converge");
+    if (solver.info() != Eigen::Success)
+      throw InputError("the eigenvalues of the mesh's Laplacian did not converge; repair the mesh");
     return first_of({solver.eigenvalues(), solver.eigenvectors()}, count);
   }
   ShiftedInverse inverse(matrix, shift);
@@ -163,7 +165,8 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
     const auto seed = static_cast<std::uint64_t>(round);
     pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift, seed)), count);
   }
-  throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be distinguished");
+  throw InputError(
+      "the eigenvalues of the mesh's Laplacian are too close to each other to be distinguished; repair the mesh");
 }
 
 /// Returns the number of components of the mesh that the matrix belongs to.
@@ -207,7 +210,8 @@ class Assembly {
   /// Throws InputError without triangles.
   [[nodiscard]] Laplacian laplacian() const {
     const Eigen::Index nodes = std::ssize(mass_);
-    if (nodes == 0) throw InputError("the Laplacian needs a triangle of positive area, and the mesh has none");
+    if (nodes == 0)
+      throw InputError("the Laplacian needs a triangle of positive area, and the mesh has none; repair it");
     Laplacian result;
     result.stiffness.resize(nodes, nodes);
     result.stiffness.setFromTriplets(entries_.begin(), entries_.end());
@@ -236,7 +240,8 @@ class Assembly {
 
 Laplacian cotangent_laplacian(const Shape& given) {
   require_usable(given);
-  if (is_cloud(given)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
+  if (is_cloud(given))
+    throw InputError("the Laplacian needs triangles, and the shape is a point cloud; use \"on\": \"proxy\"");
   const Shape mesh = without_duplicates(given);
   Assembly assembly(welded_vertices(mesh.vertices));
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {

@@ -26,10 +26,11 @@ Laplacian cotangent_laplacian(const Shape& mesh);
 
 /// Smallest eigenvalues of a mesh's Laplacian and their eigenvectors.
 struct Spectrum {
-  Eigen::VectorXd eigenvalues;   ///< ascending, beginning with one zero per component; unit: 1 / squared length
-  int components = 1;            ///< number of components of the mesh, which is also the number of zero eigenvalues
-  Eigen::MatrixXd eigenvectors;  ///< one column per eigenvalue, one row per vertex; orthonormal by area; NaN at
-                                 ///< vertices without a node
+  Eigen::VectorXd eigenvalues;  ///< ascending, beginning with one zero per component; unit: 1 / squared length
+  int components = 1;           ///< number of components of the mesh, which is also the number of zero eigenvalues
+  /// One column per eigenvalue, one row per vertex; orthonormal by area; NaN at vertices without a node
+  /// (Laplacian::node_of).
+  Eigen::MatrixXd eigenvectors;
 };
 
 /// Computes the `count` smallest eigenvalues, complete and with multiplicity, and their eigenvectors, by Lanczos

@@ -42,7 +42,7 @@ Spectrum ProxySource::spectrum(int eigenvalues) {
           .eigenvectors = all.eigenvectors.leftCols(count)};
 }
 
-Eigen::VectorXd ProxySource::at_samples(const Samples& samples, const Eigen::VectorXd& at_points) {
+Eigen::VectorXd ProxySource::interpolate_to_samples(const Samples& samples, const Eigen::VectorXd& at_points) {
   constexpr Eigen::Index considered = 7;
   const PointNeighbours nearest = nearest_among(samples.points, proxy().points, considered);
   const Eigen::Index count = nearest.indices.cols();

@@ -26,9 +26,9 @@ inline constexpr std::array<std::string_view, 2> words_of<FieldSurface>{"mesh", 
 /// thread-safe. Accessors throw as the underlying computations do.
 class ProxySource {
  public:
-  /// Number of landmarks from which geodesics() computes distances.
+  /// Number of landmark points of the proxy from which geodesics() computes distances.
   static constexpr int landmarks = 500;
-  /// Minimum number of eigenvalues that spectrum() computes.
+  /// Minimum number of eigenvalues that spectrum() computes, to share them between requests.
   static constexpr int shared_eigenvalues = 40;
 
   explicit ProxySource(const Shape& shape) : shape_(&shape) {}
@@ -45,9 +45,9 @@ class ProxySource {
   /// fewer if there are fewer points. One computation serves all requests for up to shared_eigenvalues.
   Spectrum spectrum(int eigenvalues);
 
-  /// Interpolates values at the proxy's points to samples of the shape: means over the nearest points, weighted by
-  /// distance and by the absolute cosine between the normals of point and sample.
-  Eigen::VectorXd at_samples(const Samples& samples, const Eigen::VectorXd& at_points);
+  /// Interpolates one value per point of the proxy to samples of the shape: means over the 7 nearest points, weighted
+  /// by distance and by the absolute cosine between the normals of point and sample.
+  Eigen::VectorXd interpolate_to_samples(const Samples& samples, const Eigen::VectorXd& at_points);
 
  private:
   const Shape* shape_;

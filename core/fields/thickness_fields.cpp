@@ -56,7 +56,7 @@ FieldComputation cone_sdf_field(const ParameterValues& values, const SamplePlan&
     throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine returns raw values only)");
   }
   if (cgal && samples.site != SampleSite::faces) {
-    throw InputError(R"("engine": "cgal" supports faces only; use "embree" for other sites)");
+    throw InputError(R"("engine": "cgal" supports faces only; for other values of "at" use "embree")");
   }
   // CGAL's post-processing scales to [0, 1].
   return {.versions = {{"cone_sdf", cone_sdf_version}},

@@ -14,12 +14,13 @@ Eigen::Vector3d oriented_normal(const Triangle& triangle);
 /// Criterion for points opposite to the origin: only these limit the size of a ball (inscribed_ball()).
 struct OppositePoints {
   Eigen::Vector3d direction;  ///< unit vector from the origin to the centres of the balls
-  double cone_cosine;         ///< cosine of the largest angle between `direction` and an opposite point
+  double cone_cosine;         ///< cosine of the largest angle between `direction` and the vector to an opposite point
   double min_cosine;  ///< cosine of the largest angle between `direction` and the normal of an opposite triangle
   double rounding;    ///< distance below which a point counts as coincident with the origin
 };
 
-/// Returns the radius of the ball through q that touches the plane at the origin; infinity if q is not opposite.
+/// Returns the radius of the ball through the point q that touches, at the origin, the plane normal to
+/// `opposite.direction`, on which its centre lies; infinity if q is not an opposite point (OppositePoints).
 double touching_radius(const Eigen::Vector3d& q, const OppositePoints& opposite);
 
 /// Returns the radius of the largest ball that touches the plane at the origin and contains no opposite point of the

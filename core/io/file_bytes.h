@@ -10,8 +10,8 @@
 
 namespace shapegauge {
 
-/// Reads at most `limit` leading bytes of a regular file. Throws InputError "cannot read <path>: <reason>" if the file
-/// is absent, unreadable, not a regular file, or empty.
+/// Returns the contents of a regular file, or its first `limit` bytes if the file is longer. Throws InputError "cannot
+/// read <path>: <reason>" if the file is absent, unreadable, not a regular file, or empty.
 std::string read_file_bytes(const std::filesystem::path& path,
                             std::size_t limit = std::numeric_limits<std::size_t>::max());
 
@@ -49,10 +49,10 @@ class AtomicFile {
   void publish(Flush flush = Flush::no);
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_;        ///< path of the complete file
   std::filesystem::path target_;      ///< `path_` with symbolic links resolved
   std::filesystem::path unfinished_;  ///< path of the temporary file; empty when writing directly to `path_`
-  int descriptor_ = -1;
+  int descriptor_ = -1;               ///< file descriptor of the open file; -1 if closed
 };
 
 /// Declares whether the file that this process writes to `path` next must be new. If so, and if another process creates

@@ -95,7 +95,8 @@ void require_flat(std::string_view json, const std::string& name) {
     } else if (c == '"') {
       in_string = !in_string;
     } else if (!in_string && (c == '{' || c == '[')) {
-      if (++depth > max_nesting) fail(name, fmt::format("its JSON is nested more than {} levels deep", max_nesting));
+      if (++depth > max_nesting)
+        fail(name, fmt::format("its JSON is nested more than {} levels deep; export it again", max_nesting));
     } else if (!in_string && (c == '}' || c == ']') && depth > 0) {
       --depth;
     }
@@ -113,7 +114,8 @@ std::string_view json_of_glb(std::string_view bytes) {
 
 tinygltf::Model load(const ShapeSource& source, GltfFiles& files) {
   const std::string& bytes = source.bytes;
-  if (bytes.size() > std::numeric_limits<unsigned>::max()) fail(source.name, "glTF files end at 4 GB");
+  if (bytes.size() > std::numeric_limits<unsigned>::max())
+    fail(source.name, "glTF files of more than 4 GB are not supported; export the model in parts");
   const bool binary = bytes.starts_with(glb_magic);
   require_flat(binary ? json_of_glb(bytes) : std::string_view(bytes), source.name);
   tinygltf::TinyGLTF loader;
@@ -137,8 +139,8 @@ tinygltf::Model load(const ShapeSource& source, GltfFiles& files) {
   if (files.failure) std::rethrow_exception(files.failure);
   if (loaded) return model;
   std::ranges::replace(errors, '\n', ' ');
-  fail(source.name,
-       fmt::format("it is no valid glTF: {}", errors.empty() ? "it cannot be read" : printable(errors, 200)));
+  fail(source.name, fmt::format("it is no valid glTF and must be exported again: {}",
+                                errors.empty() ? "it cannot be read" : printable(errors, 200)));
 }
 
 /// Refuses files with a required extension, as the standard demands, unless it is about surfaces and lights only or the
@@ -158,7 +160,8 @@ void require_readable(const tinygltf::Model& model, const std::string& name) {
 template <typename Item>
 const Item& item_at(const std::vector<Item>& items, int index, const char* what, const std::string& name) {
   if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
-    fail(name, fmt::format("it refers to {} {}, but has {}", what, index, items.size()));
+    fail(name,
+         fmt::format("it refers to {} {} (numbered from 0), but has {}; export it again", what, index, items.size()));
   }
   return items[static_cast<std::size_t>(index)];
 }
@@ -212,13 +215,16 @@ BufferItems items_in(const tinygltf::Model& model, int view_index, std::size_t o
   const bool view_fits = view.byteOffset <= available && view.byteLength <= available - view.byteOffset;
   const bool fits = view_fits && count > 0 && offset <= view.byteLength && size <= view.byteLength - offset &&
                     (count - 1) <= (view.byteLength - offset - size) / stride;
-  if (!fits) fail(name, fmt::format("buffer view {} ends before the {} items that it should hold", view_index, count));
+  if (!fits)
+    fail(name, fmt::format("buffer view {} ends before its {} items; the file is damaged: export it again", view_index,
+                           count));
   return {.first = buffer.data.data() + view.byteOffset + offset, .count = count, .stride = stride};
 }
 
 std::size_t size_of_component(int type, const std::string& name) {
   const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type));
-  if (size < 1 || size > 4) fail(name, fmt::format("numbers of type {} are not read", type));
+  if (size < 1 || size > 4)
+    fail(name, fmt::format("numbers of component type {} are unknown in glTF; export the file again", type));
   return static_cast<std::size_t>(size);
 }
 
@@ -233,7 +239,7 @@ void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& acce
   const std::size_t size = size_of_component(accessor.componentType, name);
   // Signed in older versions of tinygltf.
   if (std::cmp_less(sparse.indices.byteOffset, 0) || std::cmp_less(sparse.values.byteOffset, 0)) {
-    fail(name, "a sparse accessor has a wrong offset");
+    fail(name, "a sparse accessor has a negative offset; export the file again");
   }
   const BufferItems indices =
       items_in(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
@@ -243,7 +249,8 @@ void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& acce
   for (std::size_t i = 0; i < count; ++i) {
     const double index = component_at(indices.at(i), sparse.indices.componentType, false);
     if (!(index >= 0 && index < static_cast<double>(positions.size())))
-      fail(name, "a sparse accessor's index is out of range");
+      fail(name, fmt::format("a sparse accessor replaces position {}, but there are {}; export the file again", index,
+                             positions.size()));
     for (int k = 0; k < 3; ++k) {
       positions[static_cast<std::size_t>(index)][k] =
           component_at(values.at(i) + static_cast<std::size_t>(k) * size, accessor.componentType, accessor.normalized);
@@ -267,16 +274,20 @@ Positions stored_positions(const tinygltf::Model& model, const tinygltf::Accesso
 
 /// Positions of an accessor without a buffer view: zeros, which a sparse accessor replaces.
 Positions zero_positions(const tinygltf::Model& model, const tinygltf::Accessor& accessor, const std::string& name) {
-  if (!accessor.sparse.isSparse) fail(name, "the positions of a mesh have no buffer view; it may be compressed");
+  if (!accessor.sparse.isSparse)
+    fail(name, "the positions of a mesh have no buffer view; export the file without compression");
   std::size_t bytes = 0;
   for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
-  if (accessor.count > bytes) fail(name, fmt::format("a mesh has {} positions, more than its data", accessor.count));
+  if (accessor.count > bytes)
+    fail(name, fmt::format("a mesh has {} positions, but the file only {} bytes of data; export it again",
+                           accessor.count, bytes));
   return Positions(accessor.count, Positions::value_type::Zero());
 }
 
 Positions positions_of(const tinygltf::Model& model, int accessor_index, const std::string& name) {
   const tinygltf::Accessor& accessor = item_at(model.accessors, accessor_index, "accessor", name);
-  if (accessor.type != TINYGLTF_TYPE_VEC3) fail(name, "the positions of a mesh are no vectors of three numbers");
+  if (accessor.type != TINYGLTF_TYPE_VEC3)
+    fail(name, "the positions of a mesh are no vectors of three numbers; export the file again");
   Positions positions =
       accessor.bufferView < 0 ? zero_positions(model, accessor, name) : stored_positions(model, accessor, name);
   replace_sparse(model, accessor, positions, name);
@@ -287,10 +298,14 @@ void require_indices(const tinygltf::Accessor& accessor, const std::string& name
   static constexpr std::array types{TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT};
   if (accessor.type != TINYGLTF_TYPE_SCALAR || std::ranges::count(types, accessor.componentType) == 0) {
-    fail(name, "the indices of a mesh are no unsigned integers");
+    fail(name, "the indices of a mesh are no unsigned integers; export the file again");
   }
-  if (accessor.sparse.isSparse) fail(name, "the indices of a mesh are sparse, which is not read");
-  if (accessor.bufferView < 0) fail(name, "the indices of a mesh have no buffer view; it may be compressed");
+  if (accessor.sparse.isSparse)
+    fail(name,
+         "the indices of a mesh are a sparse accessor, which is not supported; export the file without sparse "
+         "accessors");
+  if (accessor.bufferView < 0)
+    fail(name, "the indices of a mesh have no buffer view; export the file without compression");
 }
 
 /// Returns the corners of a primitive: its indices, or all of its vertices in order.
@@ -309,8 +324,9 @@ std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinyglt
   for (std::size_t i = 0; i < items.count; ++i) {
     const double index = component_at(items.at(i), accessor.componentType, false);
     if (!(index >= 0 && index < static_cast<double>(vertices))) {
-      fail(name, fmt::format("index {} of a mesh refers to vertex {}, but there are {}, numbered from 0", i, index,
-                             vertices));
+      fail(name, fmt::format(
+                     "index {} of a mesh refers to vertex {}, but there are {}, numbered from 0; export the file again",
+                     i, index, vertices));
     }
     corners.push_back(static_cast<std::int32_t>(index));
   }
@@ -360,7 +376,7 @@ class GltfScene {
   Shape read() {
     for (const int root : roots()) visit(root);
     if (soup_.triangles() == 0) add_points();
-    if (soup_.vertices() == 0) fail(name_, "it holds no mesh");
+    if (soup_.vertices() == 0) fail(name_, "its scene has no triangles or points; export it with a mesh");
     return soup_.shape();
   }
 
@@ -401,7 +417,7 @@ class GltfScene {
       waiting.pop_back();
       const tinygltf::Node& node = item_at(model_.nodes, next.node, "node", name_);
       if (visited_[static_cast<std::size_t>(next.node)]) {
-        fail(name_, fmt::format("node {} has two parents, or is its own", next.node));
+        fail(name_, fmt::format("node {} has two parents, or is its own parent; export the file again", next.node));
       }
       visited_[static_cast<std::size_t>(next.node)] = true;
       const Eigen::Affine3d transform = next.parent * transform_of(node);
@@ -440,7 +456,7 @@ class GltfScene {
 
   void require_room(std::size_t present, std::size_t more, std::string_view what) const {
     if (more <= max_gltf_items - present) return;
-    fail(name_, fmt::format("its scene has more than {} {}", max_gltf_items, what));
+    fail(name_, fmt::format("its scene has more than {} {}; export it in parts", max_gltf_items, what));
   }
 
   void add_vertices(const Positions& positions, const Eigen::Affine3d& transform) {

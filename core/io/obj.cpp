@@ -200,9 +200,7 @@ Shape read_obj(const std::string& bytes, const std::string& name) {
   return ObjReader(scanner).read();
 }
 
-void write_obj(const std::filesystem::path& path, const Shape& shape) { write_obj(path, shape, ""); }
-
-void write_obj(const std::filesystem::path& path, const Shape& shape, std::string_view line) {
+void write_obj(const std::filesystem::path& path, const Shape& shape, std::string_view comment) {
   require_writable(path, shape);
   std::string text;
   for (const auto& vertex : shape.vertices.rowwise()) append_numbers(text += "v ", vertex);
@@ -213,7 +211,7 @@ void write_obj(const std::filesystem::path& path, const Shape& shape, std::strin
     const Eigen::Matrix<std::int64_t, 1, 3> from_one = triangle.cast<std::int64_t>().array() + 1;
     append_numbers(text += "f ", from_one);
   }
-  if (!line.empty()) text.append(line) += '\n';
+  if (!comment.empty()) text.append(comment) += '\n';
   write_file_atomically(path, text);
 }
 
@@ -224,7 +222,7 @@ ShapeFormat obj_format() {
           .extensions = extensions,
           .begins_like = begins_like_obj,
           .check_header = check_obj_header,
-          .read = read_alone<read_obj>,
+          .read = read_single_file<read_obj>,
           .write = write_obj,
           .y_is_up = true};
 }

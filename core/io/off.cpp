@@ -394,9 +394,7 @@ static void check_off_header(const std::string& bytes, const std::string& name) 
   if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
 }
 
-void write_off(const std::filesystem::path& path, const Shape& shape) { write_off(path, shape, ""); }
-
-void write_off(const std::filesystem::path& path, const Shape& shape, std::string_view line) {
+void write_off(const std::filesystem::path& path, const Shape& shape, std::string_view comment) {
   require_writable(path, shape);
   const bool with_normals = has_cloud_normals(shape);
   std::string text = with_normals ? "NOFF\n" : "OFF\n";
@@ -408,7 +406,7 @@ void write_off(const std::filesystem::path& path, const Shape& shape, std::strin
     if (with_normals) append_numbers(text, shape.normals.row(i));
   }
   for (const auto& triangle : shape.triangles.rowwise()) append_numbers(text += "3 ", triangle);
-  if (!line.empty()) text.append(line) += '\n';
+  if (!comment.empty()) text.append(comment) += '\n';
   write_file_atomically(path, text);
 }
 
@@ -419,7 +417,7 @@ ShapeFormat off_format() {
           .extensions = extensions,
           .begins_like = begins_like_off,
           .check_header = check_off_header,
-          .read = read_alone<read_off>,
+          .read = read_single_file<read_off>,
           .write = write_off,
           .y_is_up = true};
 }

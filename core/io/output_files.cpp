@@ -46,14 +46,15 @@ std::string identity_of(fs::path path) {
 
 void check_streams(std::span<const fs::path> inputs, std::span<const OutputFile> outputs) {
   if (std::ranges::count_if(inputs, is_standard_stream) > 1) {
-    throw InputError("standard input (-) can be read once only");
+    throw InputError("standard input (-) can be read once only; name files for the other inputs");
   }
   const OutputFile* first = nullptr;
   for (const OutputFile& output : outputs) {
     if (!is_standard_stream(output.path)) continue;
     if (!output.takes_stream) throw InputError(fmt::format("{} must be a file, not standard output (-)", output.what));
     if (first != nullptr) {
-      throw InputError(fmt::format("{} and {} would both be written to standard output", first->what, output.what));
+      throw InputError(fmt::format("{} and {} would both be written to standard output; name a file for one",
+                                   first->what, output.what));
     }
     first = &output;
   }
@@ -88,8 +89,8 @@ void check_output_files(std::span<const fs::path> inputs, std::span<const Output
     const std::string identity = identity_of(output.path);
     const auto [other, is_new] = written.emplace(identity, output.what);
     if (!is_new) {
-      throw InputError(
-          fmt::format("{} and {} would both be written to {}", other->second, output.what, output.path.string()));
+      throw InputError(fmt::format("{} and {} would both be written to {}; name another file for one", other->second,
+                                   output.what, output.path.string()));
     }
     std::error_code unknown;
     const bool exists = fs::exists(output.path, unknown);

@@ -20,9 +20,10 @@ struct OutputFile {
   /// Accepted extensions, with the dot, in lower case; empty accepts all. A path without an extension is always
   /// accepted.
   std::vector<std::string> extensions = {};
-  bool takes_stream = false;  ///< the path may be "-", standard output
-  bool may_be_input = false;  ///< may overwrite an input if `replace` is set; the caller reads all inputs first
-  bool is_updated = false;    ///< an existing file is accepted without `replace`; the caller checks its contents first
+  bool takes_stream = false;  ///< true if the path may be "-", which means standard output
+  /// True if the file may also be an input, provided that `replace` is set; all inputs are read first.
+  bool may_be_input = false;
+  bool is_updated = false;  ///< true if the file may exist even without `replace`: the caller checks and updates it
 };
 
 /// Extensions of HTML pages, for OutputFile::extensions.

@@ -92,7 +92,7 @@ class PlyBody {
     const PlyElement& vertex = *find_ply_element(header, "vertex");
     // The normals of a mesh are ignored.
     numbers_read_ = (face == nullptr || face->count == 0) && has_ply_vector(vertex, 3) ? 6 : 3;
-    std::ranges::transform(vertex.properties, std::back_inserter(vertex_numbers_), ply_place_of);
+    std::ranges::transform(vertex.properties, std::back_inserter(vertex_numbers_), ply_component_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
                   std::min<std::size_t>(face == nullptr ? 0 : face->count, source_.remaining() / 4));
   }
@@ -123,7 +123,7 @@ class PlyBody {
   bool read_item(const PlyElement& element, std::int64_t i) {
     if (element.name == "vertex") return read_vertex(element, i);
     return std::ranges::all_of(element.properties, [&](const PlyProperty& property) {
-      if (!holds_ply_corners(property)) return skip(property);
+      if (!is_ply_corner_list(property)) return skip(property);
       if (element.name == "tristrips") return read_strips(property, i);
       return element.name == "face" ? read_corners(property, i) : skip(property);
     });
@@ -204,7 +204,7 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
-  std::vector<std::size_t> vertex_numbers_;  ///< ply_place_of() of the vertices' properties
+  std::vector<std::size_t> vertex_numbers_;  ///< ply_component_of() of the vertices' properties
   std::size_t numbers_read_ = 3;             ///< lower ones are read, the others skipped
   SoupBuilder soup_;
 };
@@ -276,7 +276,9 @@ Shape read_ply(const std::string& bytes, const std::string& name) {
   return PlyBody(header, PlyBinarySource(scanner, order)).read();
 }
 
-void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }
+void write_ply(const std::filesystem::path& path, const Shape& shape, std::string_view /*comment*/) {
+  write(path, shape, nullptr);
+}
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
                const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name,
@@ -320,7 +322,7 @@ ShapeFormat ply_format() {
           .extensions = extensions,
           .begins_like = [](std::string_view bytes) { return bytes.starts_with("ply"); },
           .check_header = check_ply_header,
-          .read = read_alone<read_ply>,
+          .read = read_single_file<read_ply>,
           .write = write_ply};
 }
 

@@ -33,7 +33,7 @@ PlyType read_type(TextScanner& scanner) {
   for (const NamedType& known : types) {
     if (word == known.name || word == known.other_name) return known.type;
   }
-  scanner.fail(fmt::format("\"{}\" is not a type of PLY", word));
+  scanner.fail(fmt::format("unknown type \"{}\"; PLY has types such as uchar, int, float and double", word));
 }
 
 PlyEncoding read_encoding(TextScanner& scanner) {
@@ -41,7 +41,7 @@ PlyEncoding read_encoding(TextScanner& scanner) {
   if (word == "ascii") return PlyEncoding::ascii;
   if (word == "binary_little_endian") return PlyEncoding::little_endian;
   if (word == "binary_big_endian") return PlyEncoding::big_endian;
-  scanner.fail(fmt::format("\"{}\" is not a PLY format", word));
+  scanner.fail(fmt::format("unknown format \"{}\"; expected ascii, binary_little_endian or binary_big_endian", word));
 }
 
 PlyElement read_element(TextScanner& scanner) {
@@ -94,14 +94,15 @@ PlyHeader read_header(TextScanner& scanner) {
     } else if (word == "element") {
       header.elements.push_back(read_element(scanner));
     } else if (word == "property") {
-      if (header.elements.empty()) scanner.fail("a property before the first element");
+      if (header.elements.empty()) scanner.fail("expected an element before the first property");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (word != "comment" && word != "obj_info") {
-      scanner.fail(fmt::format("\"{}\" does not belong in a PLY header", word));
+      scanner.fail(
+          fmt::format("unknown keyword \"{}\"; expected format, element, property, comment or end_header", word));
     }
     scanner.skip_line();
   }
-  if (!has_format) scanner.fail("the header names no format");
+  if (!has_format) scanner.fail("the header has no line \"format\"");
   // The last line may end otherwise than the first. After CR alone, the body's first byte may look like LF.
   const std::size_t line_end = scanner.rest().starts_with("\r\n") && !cr_alone ? 2 : 1;
   scanner.advance(std::min(line_end, scanner.remaining()));
@@ -119,7 +120,7 @@ void require_vertices(const PlyHeader& header, const TextScanner& scanner) {
         fmt::format("{} vertices: at most {} can be read", vertex->count, std::numeric_limits<std::int32_t>::max()));
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (std::ranges::count(vertex->properties, axis, ply_place_of) != 1) {
+    if (std::ranges::count(vertex->properties, axis, ply_component_of) != 1) {
       scanner.fail_whole(fmt::format("its element \"vertex\" needs one property \"{}\"", "xyz"[axis]));
     }
   }
@@ -136,11 +137,11 @@ void require_readable_faces(const PlyHeader& header, const TextScanner& scanner)
       scanner.fail_whole(
           fmt::format("{} faces: at most {} can be read", face->count, std::numeric_limits<std::int32_t>::max()));
     }
-    const auto corners = std::ranges::find_if(face->properties, holds_ply_corners);
+    const auto corners = std::ranges::find_if(face->properties, is_ply_corner_list);
     if (corners == face->properties.end()) {
       scanner.fail_whole(fmt::format("its element \"{}\" has no list \"vertex_indices\" or \"vertex_index\"", name));
     }
-    if (std::any_of(corners + 1, face->properties.end(), holds_ply_corners)) {
+    if (std::any_of(corners + 1, face->properties.end(), is_ply_corner_list)) {
       scanner.fail_whole(fmt::format("its element \"{}\" has two lists of vertices", name));
     }
     if (!is_integer(corners->type)) scanner.fail_whole("the indices of its faces are not of an integer type");
@@ -149,19 +150,19 @@ void require_readable_faces(const PlyHeader& header, const TextScanner& scanner)
 
 }  // namespace
 
-std::size_t ply_place_of(const PlyProperty& property) {
+std::size_t ply_component_of(const PlyProperty& property) {
   constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
   if (property.list) return names.size();
   return static_cast<std::size_t>(std::ranges::find(names, property.name) - names.begin());
 }
 
-bool has_ply_vector(const PlyElement& element, std::size_t first_place) {
+bool has_ply_vector(const PlyElement& element, std::size_t first_component) {
   return std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t axis) {
-    return std::ranges::count(element.properties, first_place + axis, ply_place_of) == 1;
+    return std::ranges::count(element.properties, first_component + axis, ply_component_of) == 1;
   });
 }
 
-bool holds_ply_corners(const PlyProperty& property) {
+bool is_ply_corner_list(const PlyProperty& property) {
   return property.list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 

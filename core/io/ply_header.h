@@ -21,23 +21,23 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 
 /// Property of the elements of a PLY file: a number or a list of numbers.
 struct PlyProperty {
-  std::string name;
-  PlyType type = {};
-  bool list = false;
+  std::string name;         ///< name of the property, such as "x" or "vertex_indices"
+  PlyType type = {};        ///< number type of the value, or of the values of a list
+  bool list = false;        ///< true for a list of numbers, such as the vertex indices of a face
   PlyType count_type = {};  ///< number type of the length of a list; unused unless `list` is true
 };
 
 /// Kind of element of a PLY file, such as `vertex` or `face`, with the number of its elements and their properties.
 struct PlyElement {
-  std::string name;
-  std::int64_t count = 0;
-  std::vector<PlyProperty> properties;
+  std::string name;                     ///< name of the kind, such as "vertex"
+  std::int64_t count = 0;               ///< number of elements of this kind in the file
+  std::vector<PlyProperty> properties;  ///< properties of each element, in the order of the file
 };
 
 /// Header of a PLY file: the encoding of the body and the kinds of elements in their order.
 struct PlyHeader {
-  PlyEncoding encoding = PlyEncoding::ascii;
-  std::vector<PlyElement> elements;
+  PlyEncoding encoding = PlyEncoding::ascii;  ///< encoding of the body
+  std::vector<PlyElement> elements;           ///< kinds of elements, in the order of their data in the body
 };
 
 /// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
@@ -47,14 +47,15 @@ PlyHeader read_ply_header(TextScanner& scanner);
 /// Returns the first element of the header called `name`; null if there is none.
 const PlyElement* find_ply_element(const PlyHeader& header, std::string_view name);
 
-/// Returns the component of a vertex that a property stores: 0 to 2 for x, y, z; 3 to 5 for nx, ny, nz; 6 for others.
-std::size_t ply_place_of(const PlyProperty& property);
+/// Returns the index of the vertex component that a property stores: 0 to 2 for the position x, y, z; 3 to 5 for the
+/// normal nx, ny, nz; 6 for any other property.
+std::size_t ply_component_of(const PlyProperty& property);
 
-/// Returns true if an element has exactly one property for each component of the position (first_place 0) or the normal
-/// (first_place 3).
-bool has_ply_vector(const PlyElement& element, std::size_t first_place);
+/// Returns true if an element has exactly one property for each component of the position (first_component 0) or the
+/// normal (first_component 3).
+bool has_ply_vector(const PlyElement& element, std::size_t first_component);
 
 /// Returns true if a property is the list of vertex indices of a face or triangle strip.
-bool holds_ply_corners(const PlyProperty& property);
+bool is_ply_corner_list(const PlyProperty& property);
 
 }  // namespace shapegauge

@@ -15,9 +15,10 @@ namespace shapegauge {
 /// Reads binary numbers sequentially from memory.
 class ByteScanner {
  public:
-  /// Starts at the first of the bytes, whose numbers are in byte order `order`. The bytes must outlive the scanner.
+  /// Starts at the first byte. `order` is the byte order of the numbers. The bytes must outlive the scanner.
   ByteScanner(std::string_view bytes, std::endian order) : bytes_(bytes), swap_(order != std::endian::native) {}
 
+  /// Returns the number of unread bytes.
   [[nodiscard]] std::size_t remaining() const { return bytes_.size(); }
 
   /// Reads a number. Returns false, without moving, if too few bytes remain.
@@ -40,8 +41,8 @@ class ByteScanner {
   }
 
  private:
-  std::string_view bytes_;
-  bool swap_;
+  std::string_view bytes_;  ///< unread bytes
+  bool swap_;               ///< true if the byte order is not that of this machine
 };
 
 /// Reads words and numbers sequentially from a text in memory. Words are separated by white space; `#` begins a comment
@@ -75,10 +76,12 @@ class TextScanner {
     while (position_ != end_ && !is_line_end(*position_)) ++position_;
   }
 
-  /// Reads a finite number. Returns false at the end of the text. `role` names the number in errors: "a coordinate".
+  /// Reads a finite number. Returns false at the end of the text; throws InputError for any other word. `role` names
+  /// the number in errors: "a coordinate".
   bool read_number(double& value, std::string_view role);
 
-  /// Reads an integer. Returns false at the end of the text. `role` names the integer in errors: "an index".
+  /// Reads an integer. Returns false at the end of the text; throws InputError for any other word. `role` names the
+  /// integer in errors: "an index".
   bool read_integer(std::int64_t& value, std::string_view role);
 
   /// Returns the next word; empty at the end of the text.
@@ -91,7 +94,7 @@ class TextScanner {
   [[nodiscard]] std::string_view rest() const { return {position_, remaining()}; }
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
 
-  /// Skips `count` characters of rest(). A subsequent error points to the first skipped one.
+  /// Skips `count` bytes of rest(). A subsequent fail() names the line of the first skipped byte.
   void advance(std::size_t count) {
     word_ = position_;
     position_ += count;
@@ -120,8 +123,8 @@ class TextScanner {
 
   const char* begin_;
   const char* end_;
-  const char* position_;
-  const char* word_;
+  const char* position_;  ///< first unread byte
+  const char* word_;      ///< beginning of the last word or number read
   const std::string* name_;
 };
 

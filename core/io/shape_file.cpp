@@ -69,7 +69,7 @@ const ShapeFormat& format_of(const ShapeSource& source) {
 void check_format(const ShapeFormat& format) {
   for (const std::string_view extension : extensions_of(format)) {
     if (format_by_extension(extension) != nullptr) {
-      throw ArgumentError(fmt::format("another shape format has the extension \"{}\"", extension));
+      throw ArgumentError(fmt::format("another shape format already has the extension \"{}\"", extension));
     }
   }
 }

@@ -33,7 +33,7 @@ fs::path ShapeSource::neighbour(std::string_view file) const {
     throw InputError(fmt::format("{}: cannot open {}, which it refers to: {}", name, quoted_word(file), why));
   };
   if (const std::string_view objection = objection_to(file); !objection.empty()) fail(objection);
-  if (!folder) fail("there are no files next to what is not a file itself; give the path of the shape's file");
+  if (!folder) fail("standard input has no folder; name the shape's file");
   return *folder / file;
 }
 

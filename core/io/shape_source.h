@@ -30,13 +30,13 @@ struct ShapeSource {
   [[nodiscard]] std::string read_neighbour(std::string_view file) const;
 };
 
-/// Reads a whole file as a source, named by its path; a text in UTF-16 is converted (to_utf8()). Throws InputError as
-/// read_file_bytes() does.
+/// Reads a whole shape file as a source, named by its path; a text in UTF-16 is converted (to_utf8()). Throws
+/// InputError as read_file_bytes() does.
 ShapeSource read_shape_source(const std::filesystem::path& path);
 
-/// Adapts a reader of self-contained files to ShapeFormat::read.
+/// Adapts a format's reader that needs only the bytes and name of one file to the signature of ShapeFormat::read.
 template <Shape (*read)(const std::string& bytes, const std::string& name)>
-Shape read_alone(const ShapeSource& source) {
+Shape read_single_file(const ShapeSource& source) {
   return read(source.bytes, source.name);
 }
 

@@ -207,7 +207,7 @@ Shape read_stl(const std::string& bytes, const std::string& name) {
   return is_ascii(bytes) && !exact ? AsciiReader(scanner).read() : read_binary(bytes, scanner);
 }
 
-void write_stl(const std::filesystem::path& path, const Shape& shape) {
+void write_stl(const std::filesystem::path& path, const Shape& shape, std::string_view /*comment*/) {
   require_writable(path, shape);
   if (is_cloud(shape)) {
     throw InputError(
@@ -256,7 +256,7 @@ ShapeFormat stl_format() {
                 return lower_case(std::string(bytes.substr(0, 5))) == "solid" || has_size_of_binary(bytes);
               },
           .check_header = check_stl_header,
-          .read = read_alone<read_stl>,
+          .read = read_single_file<read_stl>,
           .write = write_stl};
 }
 

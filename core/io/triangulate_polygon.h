@@ -14,7 +14,7 @@ namespace shapegauge {
 /// Triangle of a polygon, as indices of the polygon's corners.
 using PolygonTriangle = std::array<std::int32_t, 3>;
 
-/// Maximum number of corners of a polygon.
+/// Maximum number of corners of a polygon in a shape file; readers reject larger polygons.
 inline constexpr std::size_t max_polygon_corners = 100000;
 
 /// Triangulates a polygon that is not covered by the fan of triangles about its first corner. Projects the polygon onto

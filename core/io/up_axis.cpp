@@ -42,17 +42,14 @@ UpAxis axis_of_format(const std::filesystem::path& file) {
 }  // namespace
 
 Parameter up_parameter() {
-  return {
-      .name = "up",
-      .kind = ParameterKind::choice,
-      .default_value = word_of(UpAxis::automatic),
-      .choices = words_of<UpAxis>,
-      .description =
-          "Axis that points up in pictures and views. auto: from a comment \"# up: z\" in the file, otherwise y for "
-          "OFF, OBJ and glTF, z for others."};
+  return {.name = "up",
+          .kind = ParameterKind::choice,
+          .default_value = word_of(UpAxis::automatic),
+          .choices = words_of<UpAxis>,
+          .description = "Axis that points up. auto: by a comment \"# up: z\", otherwise y (OFF, OBJ, glTF) or z."};
 }
 
-std::string stated_up(const std::filesystem::path& file) {
+std::string read_up_comment(const std::filesystem::path& file) {
   const std::optional<UpAxis> axis = stated_axis(file);
   return axis ? fmt::format("{}{}", up_comment, word_of(*axis)) : "";
 }

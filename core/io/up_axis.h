@@ -26,7 +26,7 @@ inline constexpr std::string_view up_comment = "# up: ";
 
 /// Returns the comment of a file that states its vertical axis (up_comment), without the line end, to copy it to
 /// another file; empty if there is none.
-std::string stated_up(const std::filesystem::path& file);
+std::string read_up_comment(const std::filesystem::path& file);
 
 /// Returns the unit vector of the axis. `automatic` is the axis that a comment in the last 256 bytes of the file
 /// states, as in generated shapes, otherwise the convention of its format (ShapeFormat::y_is_up), by the extension.

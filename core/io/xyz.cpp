@@ -139,7 +139,8 @@ class XyzReader {
     if (columns != columns_) {
       scanner_.fail(fmt::format("expected {1} columns as in the first point, found {0}", columns, columns_));
     }
-    if (positions_.size() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more points than can be read");
+    if (positions_.size() == std::numeric_limits<std::int32_t>::max())
+      scanner_.fail("more than 2147483647 points are not supported");
     positions_.push_back(position);
     if (columns >= 6) add_columns_4_to_6(more);
   }
@@ -256,7 +257,7 @@ ShapeFormat xyz_format() {
           .ambiguous_extensions = ambiguous_extensions,
           .begins_like = begins_like_xyz,
           .check_header = check_xyz_header,
-          .read = read_alone<read_xyz>};
+          .read = read_single_file<read_xyz>};
 }
 
 }  // namespace shapegauge

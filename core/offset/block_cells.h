@@ -10,15 +10,15 @@ namespace shapegauge {
 
 /// Set of cells of a block of 4 x 4 x 4 cells, as a bit mask: bit x + 4 y + 16 z is the cell (x, y, z).
 using BlockCells = std::uint64_t;
-inline constexpr BlockCells all_cells = ~BlockCells{0};
+inline constexpr BlockCells all_cells = ~BlockCells{0};  ///< set of all 64 cells of a block
 
-/// Cells on the six sides of a block: low_x_cells have x = 0, high_x_cells have x = 3, and so on for y and z.
-inline constexpr BlockCells low_x_cells = 0x1111111111111111;
-inline constexpr BlockCells high_x_cells = low_x_cells << 3U;
-inline constexpr BlockCells low_y_cells = 0x000F000F000F000F;
-inline constexpr BlockCells high_y_cells = low_y_cells << 12U;
-inline constexpr BlockCells low_z_cells = 0x000000000000FFFF;
-inline constexpr BlockCells high_z_cells = low_z_cells << 48U;
+// Cells on the six sides of a block.
+inline constexpr BlockCells low_x_cells = 0x1111111111111111;   ///< set of the cells of a block with x = 0
+inline constexpr BlockCells high_x_cells = low_x_cells << 3U;   ///< set of the cells of a block with x = 3
+inline constexpr BlockCells low_y_cells = 0x000F000F000F000F;   ///< set of the cells of a block with y = 0
+inline constexpr BlockCells high_y_cells = low_y_cells << 12U;  ///< set of the cells of a block with y = 3
+inline constexpr BlockCells low_z_cells = 0x000000000000FFFF;   ///< set of the cells of a block with z = 0
+inline constexpr BlockCells high_z_cells = low_z_cells << 48U;  ///< set of the cells of a block with z = 3
 
 /// Returns the cells of `free` that are connected to `cells` across faces of cells in `free`, within one block.
 inline BlockCells flood_fill(BlockCells cells, BlockCells free) {
@@ -52,7 +52,8 @@ inline BlockCells cells_across(BlockCells cells, int side) {
   }
 }
 
-/// Returns the cells of a block that touch its neighbour in a direction, whose coordinates are -1, 0 or 1.
+/// Returns the cells of a block that touch the neighbouring block in a direction: a side, edge or corner of cells. The
+/// coordinates of `direction` are -1, 0 or 1.
 inline BlockCells cells_touching(const Eigen::Vector3i& direction) {
   constexpr std::array<BlockCells, 3> lowest{low_x_cells, low_y_cells, low_z_cells};
   constexpr std::array<BlockCells, 3> highest{high_x_cells, high_y_cells, high_z_cells};

@@ -29,25 +29,25 @@ struct BlockNeighbourhood {
     int j, k;   ///< offsets of the row from the central block along y and z, in blocks
     int along;  ///< number of blocks of the row on either side of the centre along x
   };
-  double distance;  ///< radius of the neighbourhood, in cells
-  std::vector<Row> rows;
+  double distance;        ///< radius of the neighbourhood, in cells
+  std::vector<Row> rows;  ///< rows of blocks, by z and then y
 
-  explicit BlockNeighbourhood(double within);
+  explicit BlockNeighbourhood(double within);  ///< neighbourhood of radius `within`, in cells
 };
 
 /// Classifies a block by the distances between its cells' centres and the surface points in its neighbourhood `around`,
-/// which extends to r + band (BlockKind). For a mixed block, writes the free cells and the triangle nearest to each
-/// cell to `found`. `nearby` is scratch.
+/// whose radius is the offset distance plus `band` (ExteriorGrid), in cells. For a mixed block, writes the free cells
+/// and the triangle nearest to each cell to `found`. `block` is its index in the grid; `nearby` is scratch.
 BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
                          const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found);
 
-/// Computes the squared distances from a position to the n points (x, y, z), and returns the smallest; infinite if n is
-/// 0. All arrays are padded by grid_padding entries.
+/// Writes the squared distances from the position `from` to the n points (x, y, z) to `squared`, and returns the
+/// smallest; infinite if n is 0. All arrays are padded by grid_padding entries.
 float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                         float* squared);
 
-/// Writes the indices of all numbers up to the limit to `indices`, ascending, and returns how many there are. `numbers`
-/// has n entries and is padded by grid_padding more.
+/// Writes the indices of all `numbers` that are at most `limit` to `indices`, ascending, and returns how many there
+/// are. `numbers` has n entries and is padded by grid_padding more.
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices);
 
 }  // namespace shapegauge

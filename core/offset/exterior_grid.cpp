@@ -59,7 +59,7 @@ std::vector<BlockKind> ExteriorGrid::classify(const std::vector<Reached>& blocks
   };
   const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
   if (parallel) {
-    parallel_for_parts(all, classify_range);
+    interruptible_parallel_for(all, classify_range);
   } else {
     classify_range(all);
   }

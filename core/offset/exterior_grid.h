@@ -19,30 +19,31 @@ namespace shapegauge {
 /// half-width is less than r - h^2 / 8r.
 class ExteriorGrid {
  public:
-  /// Marks the cells outside the offset surface of distance r. Each cell within r + `band` of the surface, both in
-  /// cells, stores its nearest triangle. Keeps references to grid and surface.
+  /// Marks the cells of E(r) by a flood fill. Each cell of the blocks near the offset surface, boundary(), stores its
+  /// nearest triangle; these blocks extend at least `band` cells outwards. Keeps references to grid and surface.
   ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel);
 
   [[nodiscard]] const BlockGrid& grid() const { return grid_; }
   [[nodiscard]] const GridSurface& surface() const { return surface_; }
+  /// Returns the blocks near the offset surface (BlockKind::mixed).
   [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
   /// Returns the bit mask of the exterior cells of a block, given its index in boundary().
   [[nodiscard]] std::uint64_t boundary_cells(std::size_t boundary_index) const { return exterior_[boundary_index]; }
 
-  /// State of a block: its index in boundary() if it is mixed, all_exterior if all its cells are exterior, otherwise
+  static constexpr std::int32_t all_exterior = -1;   ///< state of a block whose cells are all exterior
+  static constexpr std::int32_t none_exterior = -2;  ///< state, like any smaller one, of a block without exterior cells
+  /// Returns the state of a block of the grid: its index in boundary() if it is mixed, otherwise all_exterior,
   /// none_exterior or a smaller number.
-  static constexpr std::int32_t all_exterior = -1;
-  static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
-  /// Returns the array of the states of all blocks of the grid.
+  /// Returns the array of the states (block()) of all blocks of the grid.
   [[nodiscard]] const std::int32_t* blocks() const { return state_.data(); }
 
-  /// Bit mask of the cubes of a block with an exterior corner. The corners of the cube of a cell are the centre of that
-  /// cell and those of its seven upper neighbours. The first word is for the cells with z = 0 or 1, the second for z =
-  /// 2 or 3.
+  /// Bit mask of the cubes of a block with an exterior corner: one bit per cell, the first word for z = 0 and 1, the
+  /// second for z = 2 and 3. The cube of a cell has its corners at the centres of the cell (x, y, z) and of its seven
+  /// neighbours with coordinates up to (x + 1, y + 1, z + 1).
   using Cubes = std::array<std::uint32_t, 2>;
-  /// Returns a pointer to cubes indexed by the states of blocks, which may be negative: cubes()[block(i)] are the cubes
-  /// of block i. They are empty for none_exterior, but not for smaller states.
+  /// Returns a pointer into an array that is indexed by the states of blocks, which may be negative: cubes()[block(i)]
+  /// are the cubes of block i. There are none for none_exterior, and some for smaller states.
   [[nodiscard]] const Cubes* cubes() const { return cubes_.data() + first_cubes_; }
 
   /// Returns the bit mask of the exterior cells of a block, given its index in the grid.
@@ -69,10 +70,10 @@ class ExteriorGrid {
 
   const BlockGrid& grid_;
   const GridSurface& surface_;
-  std::vector<std::int32_t> state_;
-  std::vector<BoundaryBlock> boundary_;
-  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: bit mask of the cells that belong to E(r)
-  std::vector<Cubes> cubes_;             ///< cubes of blocks, in the order of their states
+  std::vector<std::int32_t> state_;      ///< per block of the grid: value of block()
+  std::vector<BoundaryBlock> boundary_;  ///< value of boundary()
+  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: bit mask of the exterior cells
+  std::vector<Cubes> cubes_;             ///< bit masks of the cubes of blocks, in the order of the states of the blocks
   std::ptrdiff_t first_cubes_ = 0;       ///< index in cubes_ of the cubes of state 0
 };
 

@@ -53,14 +53,14 @@ BlockCells FarBlocks::touching(std::size_t row, std::size_t x) const {
   BlockCells cells = 0;
   if (x > 0 && contain(row, x - 1)) cells |= low_x_cells;
   if (x + 1 < size_x_ && contain(row, x + 1)) cells |= high_x_cells;
-  for_each_side(row, [&](std::size_t next, BlockCells side) {
+  for_each_adjacent_row(row, [&](std::size_t next, BlockCells side) {
     if (contain(next, x)) cells |= side;
   });
   return cells;
 }
 
 template <typename Visit>
-void FarBlocks::for_each_side(std::size_t row, const Visit& visit) const {
+void FarBlocks::for_each_adjacent_row(std::size_t row, const Visit& visit) const {
   const std::size_t y = row % size_y_;
   if (y > 0) visit(row - 1, low_y_cells);
   if (y + 1 < size_y_) visit(row + 1, high_y_cells);
@@ -76,7 +76,7 @@ void FarBlocks::flood() {
   while (!waiting.empty()) {
     const std::size_t row = waiting.back();
     waiting.pop_back();
-    for_each_side(row, [&](std::size_t next, BlockCells /*side*/) {
+    for_each_adjacent_row(row, [&](std::size_t next, BlockCells /*side*/) {
       if (spread_to_row(row, next)) waiting.push_back(next);
     });
   }

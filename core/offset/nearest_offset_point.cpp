@@ -39,7 +39,7 @@ class OffsetPointLanes {
         records_(exterior.surface().triangles.records()),
         r_(static_cast<float>(exterior.grid().r)) {
     for (Contact& contact : contacts_) remove(contact, mask_of(all_lanes()));
-    for (VectorLanes* vectors : {&origin_, &x_, &last_step_, &known_}) store(no_vector(), *vectors);
+    for (VectorLanes* vectors : {&origin_, &x_, &last_step_, &known_}) store(zero_vectors(), *vectors);
     store(real(infinity), step_length_);
     store(real(0), trust_radius_);
   }
@@ -127,13 +127,13 @@ class OffsetPointLanes {
   /// Returns the k-th active contact of a projection.
   HWY_INLINE ActiveContact<Reals> active_contact(const Projection<Reals>& to, std::size_t k) const {
     Integers triangle = integer(-1);
-    Vectors normal = no_vector();
-    Vectors point = no_vector();
+    Vectors normal = zero_vectors();
+    Vectors point = zero_vectors();
     for (std::size_t i = 0; i < max_contacts; ++i) {
       const hn::Mask<DI> is_active = hn::Eq(to.contacts[k], integer(static_cast<std::int32_t>(i)));
       triangle = hn::IfThenElse(is_active, load(contacts_[i].triangle), triangle);
-      normal = select(of_reals(is_active), load(contacts_[i].normal), normal);
-      point = select(of_reals(is_active), load(contacts_[i].point), point);
+      normal = select(real_mask(is_active), load(contacts_[i].normal), normal);
+      point = select(real_mask(is_active), load(contacts_[i].point), point);
     }
     IntegerLanes numbers;
     store(hn::Max(triangle, integer(0)), numbers);
@@ -146,7 +146,7 @@ class OffsetPointLanes {
   void collect_triangles(LaneBits moving) {
     constexpr float nearly_settled = 0.05F;  // of a step's length, in units of r
     const Vectors x = sum(load(origin_), load(x_));
-    touches_exterior_ = bits_of(find_cells(exterior_, lowest_cells_around(exterior_, x), others_.data()));
+    touches_exterior_ = bits_of(find_cell_triangles(exterior_, lowest_cells_around(exterior_, x), others_.data()));
     others_count_ = cells_around_point;
     // On fine meshes the closest triangle is seldom one of the cells' but close to a contact.
     const LaneBits close = moving & bits_of(hn::Lt(load(step_length_), real(nearly_settled * r_)));
@@ -225,13 +225,13 @@ class OffsetPointLanes {
       set(contacts_[i], is_kept, at_contacts_[i]);
       remove(contacts_[i], hn::Not(is_kept));
     }
-    const Surrounding first = closest_covering(no_vector(), infinity);
+    const TriangleLanes first = closest_covering(zero_vectors(), infinity);
     add(first);
     constexpr float same_direction = 0.985F;
     const Mask has_first = is_triangle(load(first.triangle));
     const Reals inverse = hn::IfThenElse(has_first, hn::Div(real(1), hn::Sqrt(load(first.squared))), real(0));
     add(closest_covering(product(inverse, load(first.vector)), same_direction));
-    Mask any = no_lane();
+    Mask any = empty_mask();
     for (const Contact& contact : contacts_) any = hn::Or(any, is_triangle(load(contact.triangle)));
     return bits_of(any);
   }
@@ -244,15 +244,15 @@ class OffsetPointLanes {
       for (std::size_t i = 1; i < max_contacts; ++i) {
         is_known = hn::Or(is_known, hn::Eq(triangle, load(contacts_[i].triangle)));
       }
-      store(hn::IfThenElse(of_reals(is_known), real(infinity), load(others_[s].squared)), others_[s].squared);
+      store(hn::IfThenElse(real_mask(is_known), real(infinity), load(others_[s].squared)), others_[s].squared);
     }
   }
 
   /// Returns the closest of the other triangles that cover x and whose direction has a cosine of at most `max_cosine`
   /// with `direction`.
-  HWY_INLINE Surrounding closest_covering(const Vectors& direction, float max_cosine) const {
+  HWY_INLINE TriangleLanes closest_covering(const Vectors& direction, float max_cosine) const {
     Reals least = real(covering() * covering());
-    Vectors closest = no_vector();
+    Vectors closest = zero_vectors();
     Integers number = integer(-1);
     for (std::size_t s = 0; s < others_count_; ++s) {
       const Reals squared = load(others_[s].squared);
@@ -261,9 +261,9 @@ class OffsetPointLanes {
       const Mask is_closer = hn::And(hn::Lt(squared, least), is_apart);
       least = hn::IfThenElse(is_closer, squared, least);
       closest = select(is_closer, vector, closest);
-      number = hn::IfThenElse(of_integers(is_closer), load(others_[s].triangle), number);
+      number = hn::IfThenElse(integer_mask(is_closer), load(others_[s].triangle), number);
     }
-    Surrounding result;
+    TriangleLanes result;
     store(number, result.triangle);
     store(closest, result.vector);
     store(least, result.squared);
@@ -271,7 +271,7 @@ class OffsetPointLanes {
   }
 
   /// Adds a contact where there is room.
-  HWY_INLINE void add(const Surrounding& surrounding) {
+  HWY_INLINE void add(const TriangleLanes& surrounding) {
     Mask waiting = is_triangle(load(surrounding.triangle));
     for (Contact& contact : contacts_) {
       const Mask is_free = hn::AndNot(is_triangle(load(contact.triangle)), waiting);
@@ -280,21 +280,21 @@ class OffsetPointLanes {
     }
   }
 
-  HWY_INLINE void set(Contact& contact, Mask where, const Surrounding& surrounding) const {
+  HWY_INLINE void set(Contact& contact, Mask where, const TriangleLanes& surrounding) const {
     const Vectors x = load(x_);
     const Vectors vector = load(surrounding.vector);
     const HalfSpace<Reals> free = tangent_half_space(x, vector, hn::Sqrt(load(surrounding.squared)), r_);
     store(select(where, free.normal, load(contact.normal)), contact.normal);
     store(select(where, difference(x, vector), load(contact.point)), contact.point);
     store(hn::IfThenElse(where, free.height, load(contact.height)), contact.height);
-    store(hn::IfThenElse(of_integers(where), load(surrounding.triangle), load(contact.triangle)), contact.triangle);
+    store(hn::IfThenElse(integer_mask(where), load(surrounding.triangle), load(contact.triangle)), contact.triangle);
   }
 
   HWY_INLINE static void remove(Contact& contact, Mask where) {
-    store(select(where, no_vector(), load(contact.normal)), contact.normal);
-    store(select(where, no_vector(), load(contact.point)), contact.point);
-    store(hn::IfThenElse(where, real(no_height), load(contact.height)), contact.height);
-    store(hn::IfThenElse(of_integers(where), integer(-1), load(contact.triangle)), contact.triangle);
+    store(select(where, zero_vectors(), load(contact.normal)), contact.normal);
+    store(select(where, zero_vectors(), load(contact.point)), contact.point);
+    store(hn::IfThenElse(where, real(unbounded_height), load(contact.height)), contact.height);
+    store(hn::IfThenElse(integer_mask(where), integer(-1), load(contact.triangle)), contact.triangle);
   }
 
   /// Triangles closer than this cover x.
@@ -317,8 +317,8 @@ class OffsetPointLanes {
   RealLanes step_length_;   ///< length of the last step, before it was shortened
   RealLanes trust_radius_;  ///< maximum correction of a step, in units of r
   std::array<Contact, max_contacts> contacts_{};
-  std::array<Surrounding, max_contacts> at_contacts_{};
-  std::array<Surrounding, cells_around_point + max_contacts> others_{};  ///< around x
+  std::array<TriangleLanes, max_contacts> at_contacts_{};
+  std::array<TriangleLanes, cells_around_point + max_contacts> others_{};  ///< around x
   std::size_t others_count_ = 0;
 };
 

@@ -20,6 +20,7 @@ namespace shapegauge::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Scalar versions of Highway's functions of the same names, for code on numbers of a type V.
 HWY_INLINE float MulAdd(float a, float b, float c) { return std::fma(a, b, c); }
 HWY_INLINE float NegMulAdd(float a, float b, float c) { return std::fma(-a, b, c); }
 HWY_INLINE float Min(float a, float b) { return b < a ? b : a; }
@@ -32,11 +33,11 @@ HWY_INLINE bool AndNot(bool a, bool b) { return !a && b; }
 HWY_INLINE float IfThenElse(bool mask, float a, float b) { return mask ? a : b; }
 HWY_INLINE float IfThenZeroElse(bool mask, float a) { return mask ? 0 : a; }
 
-/// Types and constants that belong to a number type V, which is a float or a SIMD vector of floats: its masks (truth
-/// values), its integers, and functions that make and combine them.
+/// Types and functions that belong to a number type V, which is a float or a SIMD vector of floats: masks (one truth
+/// value per lane), integers (one per lane), and functions that make and test them.
 template <typename V>
 struct NumbersOf {
-  using D = hn::DFromV<V>;
+  using D = hn::DFromV<V>;  ///< Highway tag of V
   using Mask = hn::Mask<D>;
   using Integer = hn::Vec<hn::RebindToSigned<D>>;
   static HWY_INLINE V number(float value) { return hn::Set(D(), value); }
@@ -59,10 +60,12 @@ struct NumbersOf<float> {
   static HWY_INLINE Integer choose(Mask mask, Integer a, Integer b) { return mask ? a : b; }
   static HWY_INLINE Mask is_equal(Integer a, Integer b) { return a == b; }
 };
+/// Truth value of numbers V: a bool, or a Highway mask with one truth value per lane.
 template <typename V>
 using MaskOf = typename NumbersOf<V>::Mask;
 template <typename V>
 using IntegerOf = typename NumbersOf<V>::Integer;
+/// Returns the value as a V, repeated in all lanes.
 template <typename V>
 HWY_INLINE V number(float value) {
   return NumbersOf<V>::number(value);
@@ -112,6 +115,7 @@ template <typename V>
 HWY_INLINE Vector3<V> cross(const Vector3<V>& u, const Vector3<V>& v) {
   return {NegMulAdd(u.z, v.y, u.y * v.z), NegMulAdd(u.x, v.z, u.z * v.x), NegMulAdd(u.y, v.x, u.x * v.y)};
 }
+/// Returns u where the mask is set, otherwise v.
 template <typename V>
 HWY_INLINE Vector3<V> select(MaskOf<V> mask, const Vector3<V>& u, const Vector3<V>& v) {
   return {IfThenElse(mask, u.x, v.x), IfThenElse(mask, u.y, v.y), IfThenElse(mask, u.z, v.z)};

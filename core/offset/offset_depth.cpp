@@ -30,12 +30,12 @@ struct ClosestLanes {
 
 ClosestLanes closest_around(const ExteriorGrid& exterior, const VectorLanes& places) {
   const Vectors x = load(places);
-  std::array<Surrounding, cells_around_point> cells;
+  std::array<TriangleLanes, cells_around_point> cells;
   ClosestLanes result;
-  result.touches_exterior = bits_of(find_cells(exterior, lowest_cells_around(exterior, x), cells.data()));
+  result.touches_exterior = bits_of(find_cell_triangles(exterior, lowest_cells_around(exterior, x), cells.data()));
   Reals least = real(infinity);
-  Vectors closest = no_vector();
-  for (Surrounding& cell : cells) {
+  Vectors closest = zero_vectors();
+  for (TriangleLanes& cell : cells) {
     measure(exterior.surface().triangles.records(), x, cell);
     const Reals squared = load(cell.squared);
     closest = select(hn::Lt(squared, least), load(cell.vector), closest);
@@ -68,7 +68,7 @@ void set_depth(const ExteriorGrid& exterior, ClosestTriangles& triangles, const 
 
 void find_depths(const ExteriorGrid& exterior, ClosestTriangles& triangles, std::span<OffsetDepthTask> tasks) {
   VectorLanes places;
-  store(no_vector(), places);
+  store(zero_vectors(), places);
   std::array<OffsetDepthTask*, max_lanes> task_of{};
   const auto begin = [&](std::size_t lane, OffsetDepthTask& task) {
     places.set(lane, task.x.cast<float>());

@@ -11,18 +11,20 @@
 namespace shapegauge {
 
 /// Relative tolerance of the offset surface: a point is not covered if its distance from the surface is at least (1 -
-/// surface_slack) r.
+/// surface_slack) times the offset distance.
 inline constexpr double surface_slack = 1e-3;
 
-/// Query of the depth of a point inside the offset solid O(r).
+/// Query of the depth of a point x inside the offset solid O(r).
 struct OffsetDepthTask {
   Eigen::Vector3d x;         ///< query point, in cells
   bool is_exterior = false;  ///< result: true if the point x belongs to the exterior E(r)
-  double depth = 0;  ///< result: 1 - d(x) / r, at least 0; 1 if x is exterior or no surrounding cell has a triangle
+  /// Result: 1 - distance of x from the surface / offset distance, at least 0; 1 if x is exterior or no surrounding
+  /// cell has a triangle.
+  double depth = 0;
 };
 
-/// Sets the results of the tasks, one in each lane of the processor's vectors. Results do not depend on the other
-/// tasks. Depths of at least blend_depth are approximate.
+/// Computes `is_exterior` and `depth` of each task, one task in each lane of the processor's vectors. Results do not
+/// depend on the other tasks. Depths of at least blend_depth are approximate.
 void find_offset_depths(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetDepthTask> tasks);
 
 }  // namespace shapegauge

@@ -31,7 +31,7 @@ struct RayAxis {
   std::int32_t stride;  ///< of block indices
 
   /// Enters the cube that contains the rays' points.
-  HWY_INLINE void enter(Mask where, Reals t) { cube = hn::IfThenElse(of_integers(where), cube_at(t), cube); }
+  HWY_INLINE void enter(Mask where, Reals t) { cube = hn::IfThenElse(integer_mask(where), cube_at(t), cube); }
 
   [[nodiscard]] HWY_INLINE Integers cube_at(Reals t) const {
     return hn::ConvertTo(DI(), hn::Floor(hn::MulAdd(t, direction, origin)));
@@ -51,16 +51,16 @@ struct RayBox {
   HWY_INLINE RayBox(const RayAxis& axis, hn::Mask<DI> is_block)
       : low(hn::IfThenElse(is_block, hn::AndNot(integer(block_edge - 1), axis.cube), axis.cube)),
         high(hn::IfThenElse(is_block, hn::Or(axis.cube, integer(block_edge - 1)), axis.cube)) {
-    const Integers side = hn::IfThenElse(of_integers(axis.is_descending), low, hn::Add(high, integer(1)));
+    const Integers side = hn::IfThenElse(integer_mask(axis.is_descending), low, hn::Add(high, integer(1)));
     end = hn::Mul(hn::Sub(hn::ConvertTo(D(), side), axis.origin), axis.inverse);
   }
 
   /// Returns the cube entered at t.
   [[nodiscard]] HWY_INLINE Integers next(const RayAxis& axis, Reals t) const {
     const Integers beyond =
-        hn::IfThenElse(of_integers(axis.is_descending), hn::Sub(low, integer(1)), hn::Add(high, integer(1)));
+        hn::IfThenElse(integer_mask(axis.is_descending), hn::Sub(low, integer(1)), hn::Add(high, integer(1)));
     const Integers beside = hn::Min(hn::Max(axis.cube_at(t), low), high);
-    return hn::IfThenElse(of_integers(hn::Le(end, t)), beyond, beside);
+    return hn::IfThenElse(integer_mask(hn::Le(end, t)), beyond, beside);
   }
 };
 
@@ -72,7 +72,7 @@ class OffsetExitLanes {
         closest_(closest),
         records_(exterior.surface().triangles.records()),
         r_(static_cast<float>(exterior.grid().r)) {
-    for (VectorLanes* vectors : {&origin_, &direction_}) store(no_vector(), *vectors);
+    for (VectorLanes* vectors : {&origin_, &direction_}) store(zero_vectors(), *vectors);
     store(real(0), t_);
   }
 
@@ -125,7 +125,7 @@ class OffsetExitLanes {
       const hn::Mask<DI> is_in_grid = hn::And(x.is_in_grid(), hn::And(y.is_in_grid(), z.is_in_grid()));
       const Integers block = hn::IfThenElseZero(is_in_grid, hn::Add(hn::Add(x.block(), y.block()), z.block()));
       const Integers state = hn::GatherIndex(DI(), exterior_.blocks(), block);
-      arrived |= running & ~bits_of(of_reals(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
+      arrived |= running & ~bits_of(real_mask(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
       if (arrived == running || std::popcount(arrived) >= arrivals_to_stop) break;
       const hn::Mask<DI> is_block = hn::Eq(state, integer(ExteriorGrid::none_exterior));
       const RayBox along_x(x, is_block);
@@ -134,9 +134,9 @@ class OffsetExitLanes {
       const Mask moves = mask_of(running & ~arrived);
       const Reals end = hn::Max(hn::Min(along_x.end, hn::Min(along_y.end, along_z.end)), t);
       t = hn::IfThenElse(moves, end, t);
-      x.cube = hn::IfThenElse(of_integers(moves), along_x.next(x, t), x.cube);
-      y.cube = hn::IfThenElse(of_integers(moves), along_y.next(y, t), y.cube);
-      z.cube = hn::IfThenElse(of_integers(moves), along_z.next(z, t), z.cube);
+      x.cube = hn::IfThenElse(integer_mask(moves), along_x.next(x, t), x.cube);
+      y.cube = hn::IfThenElse(integer_mask(moves), along_y.next(y, t), y.cube);
+      z.cube = hn::IfThenElse(integer_mask(moves), along_z.next(z, t), z.cube);
     }
     store(t, t_);
     store(x.cube, cube_[0]);
@@ -169,11 +169,11 @@ class OffsetExitLanes {
       const std::int32_t last = block_edge * exterior_.grid().blocks[static_cast<Eigen::Index>(k)] - 2;
       return hn::Min(hn::Max(load(cube_[k]), integer(0)), integer(last));
     };
-    find_cells(exterior_, {in_grid(0), in_grid(1), in_grid(2)}, cells_.data());
+    find_cell_triangles(exterior_, {in_grid(0), in_grid(1), in_grid(2)}, cells_.data());
     Reals covered = real(0);
     Reals least = real(infinity);
-    Vectors closest = no_vector();
-    for (Surrounding& cell : cells_) {
+    Vectors closest = zero_vectors();
+    for (TriangleLanes& cell : cells_) {
       measure(records_, x, cell);
       covered = hn::Max(covered, end_of_balls(cell, direction));
       const Reals squared = load(cell.squared);
@@ -201,7 +201,7 @@ class OffsetExitLanes {
 
   /// Returns the ends of the parts of rays covered by balls of radius r about the triangles' closest points; 0 if the
   /// current point is not covered.
-  HWY_INLINE Reals end_of_balls(const Surrounding& surrounding, const Vectors& direction) const {
+  HWY_INLINE Reals end_of_balls(const TriangleLanes& surrounding, const Vectors& direction) const {
     const float outside = r_ * (1 + 1e-4F);
     const Reals squared = load(surrounding.squared);
     const Mask is_covered = hn::Lt(squared, real(r_ * r_));
@@ -222,7 +222,7 @@ class OffsetExitLanes {
     LaneBits found = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
       const std::int32_t triangle = closest_.closest_near(places.at(lane), positions.at(lane));
-      for (const Surrounding& cell : cells_) {
+      for (const TriangleLanes& cell : cells_) {
         if (cell.triangle[lane] == triangle) return;
       }
       if (triangle < 0) return;
@@ -241,8 +241,8 @@ class OffsetExitLanes {
   VectorLanes origin_, direction_;
   RealLanes t_;
   std::array<IntegerLanes, 3> cube_{};
-  std::array<Surrounding, cells_around_point> cells_{};
-  Surrounding closer_{};
+  std::array<TriangleLanes, cells_around_point> cells_{};
+  TriangleLanes closer_{};
 };
 
 void find_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks) {

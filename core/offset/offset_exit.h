@@ -12,13 +12,14 @@ namespace shapegauge {
 
 /// Query of the point q' where a ray from a sample on the surface enters the exterior E(r). Points are in cells.
 struct OffsetExitTask {
-  Eigen::Vector3d origin;     ///< sample on the surface; E(r) is at least r away from it
+  Eigen::Vector3d origin;     ///< sample on the surface, at least the offset distance from the exterior
   Eigen::Vector3d direction;  ///< unit vector along the ray
-  double exit = 0;            ///< result: distance along the ray from the origin to the exit q', in cells
+  /// Result: distance along the ray from the origin to the point where it enters the exterior, in cells.
+  double exit = 0;
 };
 
-/// Sets the exits of the tasks. Each ray runs in a lane of the processor's vectors, in single precision. Results do not
-/// depend on the other tasks.
+/// Computes `exit` of each task. Each ray runs in a lane of the processor's vectors, in single precision. Results do
+/// not depend on the other tasks.
 void find_offset_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks);
 
 }  // namespace shapegauge

@@ -138,7 +138,7 @@ void OffsetSearch::measure(Search& search, const Eigen::AlignedBox3d& box) {
 void OffsetSearch::set_starts(Search& search, std::size_t side, double margin, double min_spacing,
                               std::size_t max_count) {
   Side& of = search.sides[side];
-  nearby_.start_sites(side, margin, min_spacing, max_count, found_sites_);
+  nearby_.find_start_sites(side, margin, min_spacing, max_count, found_sites_);
   std::copy(found_sites_.begin(), found_sites_.end(), of.starts.begin());
   of.start_count = found_sites_.size();
   of.next_start = 0;

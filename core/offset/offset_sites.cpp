@@ -154,7 +154,7 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
       for (int i = begin.x(); i < end.x(); ++i) {
         const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
         if (state < 0) continue;
-        const auto& [chunk, first, last, number_before] = sites_.sites_of_block(static_cast<std::size_t>(state));
+        const auto& [chunk, first, last, first_site_number] = sites_.sites_of_block(static_cast<std::size_t>(state));
         if (first == last) continue;
         if (squared_scratch_.size() < last - first + grid_padding) squared_scratch_.resize(last - first + grid_padding);
         limit = std::min(limit, static_cast<double>(squared_distances(&chunk.x[first], &chunk.y[first], &chunk.z[first],
@@ -211,11 +211,11 @@ void NearbySites::collect_row(const Eigen::Vector3i& begin, int end) {
   for (int i = 0; i < end - begin.x(); ++i) {
     const std::int32_t state = exterior_.block(index + static_cast<std::size_t>(i));
     if (state < 0) continue;
-    const auto& [chunk, first, last, number_before] = sites_.sites_of_block(static_cast<std::size_t>(state));
+    const auto& [chunk, first, last, first_site_number] = sites_.sites_of_block(static_cast<std::size_t>(state));
     x_.insert(x_.end(), &chunk.x[first], &chunk.x[last]);
     y_.insert(y_.end(), &chunk.y[first], &chunk.y[last]);
     z_.insert(z_.end(), &chunk.z[first], &chunk.z[last]);
-    for (std::size_t k = first; k < last; ++k) site_.push_back(number_before + static_cast<std::uint32_t>(k));
+    for (std::size_t k = first; k < last; ++k) site_.push_back(first_site_number + static_cast<std::uint32_t>(k));
   }
 }
 
@@ -227,8 +227,8 @@ std::array<double, 2> NearbySites::measure(const std::array<Eigen::Vector3d, 2>&
   return nearest_;
 }
 
-void NearbySites::start_sites(std::size_t place, double margin, double apart, std::size_t max_count,
-                              std::vector<Site>& found) {
+void NearbySites::find_start_sites(std::size_t place, double margin, double apart, std::size_t max_count,
+                                   std::vector<Site>& found) {
   found.clear();
   const auto limit = static_cast<float>(std::pow(nearest_[place] + margin, 2));
   const std::vector<float>& squared = squared_[place];

@@ -20,17 +20,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-constexpr std::size_t max_contacts = 5;  ///< maximum number of half-spaces in a step
+constexpr std::size_t max_contacts = 5;  ///< maximum number of half-spaces in a step of the iteration
 /// Distance from a half-space up to which a point counts as inside, in cells: about 3e-5 r.
 constexpr float tolerance = 1e-4F;
 /// Value of HalfSpace::height for a half-space that contains all points.
-constexpr float no_height = -1e30F;
+constexpr float unbounded_height = -1e30F;
 
 /// Half-space of all points x with normal . x >= height. The normal has unit length.
 template <typename V>
 struct HalfSpace {
   Vector3<V> normal;
-  V height;
+  V height;  ///< signed distance of the boundary plane from the origin
 };
 
 /// Returns the half-space that is tangent, on the side of x, to the ball of radius r about the point of a triangle
@@ -49,7 +49,7 @@ struct Projection {
   Vector3<V> x;                          ///< projected point
   MaskOf<V> is_found;                    ///< false if the intersection is empty
   IntegerOf<V> count;                    ///< number of active half-spaces, 0 to 3
-  std::array<V, 2> pushes;               ///< push_i of the active half-spaces, if one or two are active
+  std::array<V, 2> pushes;               ///< multipliers push_i of the active half-spaces, if one or two are active
   std::array<IntegerOf<V>, 2> contacts;  ///< indices of the active half-spaces, if one or two are active
 
   // An implicit constructor would not be compiled for the instruction set.
@@ -60,11 +60,13 @@ struct Projection {
         pushes{number<V>(0), number<V>(0)},
         contacts{NumbersOf<V>::integer(0), NumbersOf<V>::integer(0)} {}
 
+  /// In the lanes `where`, sets the projected point and the number of active half-spaces.
   HWY_INLINE void set(MaskOf<V> where, const Vector3<V>& to, std::int32_t active) {
     x = select(where, to, x);
     is_found = Or(is_found, where);
     count = NumbersOf<V>::choose(where, NumbersOf<V>::integer(active), count);
   }
+  /// In the lanes `where`, sets the index and the multiplier push_k of the k-th active half-space.
   HWY_INLINE void set_contact(MaskOf<V> where, std::size_t k, IntegerOf<V> contact, V push) {
     contacts[k] = NumbersOf<V>::choose(where, contact, contacts[k]);
     pushes[k] = IfThenElse(where, push, pushes[k]);
@@ -86,6 +88,7 @@ class Projector {
     }
   }
 
+  /// Tries one, then all pairs, then all triples of half-spaces as the active ones, until one is a solution.
   HWY_INLINE Projection<V> find() {
     project_on_worst();
     for (std::size_t i = 0; i < max_contacts; ++i) {
@@ -106,7 +109,7 @@ class Projector {
   }
 
  private:
-  static constexpr float min_determinant = 1e-5F;
+  static constexpr float min_determinant = 1e-5F;  ///< Gram determinants below this count as singular
 
   /// Projects p onto one half-space, the one from which it is farthest: no other can be the only active one.
   HWY_INLINE void project_on_worst() {
@@ -128,6 +131,7 @@ class Projector {
     result_.set_contact(where, 0, contact, worst);
   }
 
+  /// Projects p onto the intersection of two planes.
   HWY_INLINE void project_on_two(std::size_t i, std::size_t j) {
     const V gram = gram_[i][j];
     const V determinant = NegMulAdd(gram, gram, number<V>(1));
@@ -186,14 +190,14 @@ class Projector {
   Projection<V> result_;
 };
 
-/// Part of a triangle that contains a point: face, edge or corner.
+/// Feature of a triangle that contains a point: its face, an edge or a corner.
 template <typename V>
 struct Feature {
-  MaskOf<V> is_face;
-  Vector3<V> edge;  ///< unit direction of the edge; zero at a corner
+  MaskOf<V> is_face;  ///< true if the point is in the interior of the face
+  Vector3<V> edge;    ///< unit direction of the edge; zero at a corner
 };
 
-/// Returns the feature that contains a point of a triangle, given the triangle's record (triangle_table.h).
+/// Returns the feature that contains a point of a triangle, given the triangle's record (TriangleTable::Record).
 template <typename V>
 HWY_INLINE Feature<V> feature_at(const V* record, const Vector3<V>& point) {
   const V inside = number<V>(1e-3F);
@@ -212,7 +216,8 @@ HWY_INLINE Feature<V> feature_at(const V* record, const Vector3<V>& point) {
   return {And(off_ab, And(off_ac, off_bc)), select(is_on_edge, direction, zero_vector<V>())};
 }
 
-/// Active half-space of a projection: its normal, and the feature of its triangle that is closest to the projection.
+/// Active half-space of a projection: its normal, and the feature (face, edge or corner) of the triangle that contains
+/// the centre of its ball.
 template <typename V>
 struct ActiveContact {
   Vector3<V> normal;

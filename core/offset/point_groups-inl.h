@@ -27,7 +27,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Highway tag of vectors with one float per point, or per group of points; at most as wide as a group.
 using PointLanes = hn::CappedTag<float, grid_padding>;
-using Numbers = hn::Vec<PointLanes>;
+using Numbers = hn::Vec<PointLanes>;  ///< SIMD vector of one float per point or group
 
 /// Calls visit(lane) for each lane that is set in a mask.
 template <typename Visit>
@@ -42,7 +42,8 @@ HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) 
 /// True if the instruction that compresses a vector is faster than copying selected lanes one by one: only AVX-512.
 constexpr bool compresses_fast = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
 
-/// Copies those numbers of a vector whose lanes are set in the mask, in order. May write a whole vector.
+/// Copies those of a SIMD vector's `numbers` whose lanes are set in the mask to the beginning of `copies`, in order.
+/// May write a whole vector.
 template <typename Number>
 HWY_INLINE void copy_selected(const Number* numbers, hn::Mask<PointLanes> mask, Number* copies) {
   if constexpr (compresses_fast) {
@@ -98,16 +99,17 @@ struct QueryPoint {
   struct ToBoxes {
     Numbers x, y, z;
 
-    [[nodiscard]] HWY_INLINE Numbers squared() const { return squared_length(x, y, z); }
-    [[nodiscard]] HWY_INLINE Numbers largest() const { return hn::Max(hn::Max(x, y), z); }
+    [[nodiscard]] HWY_INLINE Numbers squared() const { return squared_length(x, y, z); }    ///< Euclidean, squared
+    [[nodiscard]] HWY_INLINE Numbers largest() const { return hn::Max(hn::Max(x, y), z); }  ///< Chebyshev
   };
+  /// Returns the distances to the bounding boxes of consecutive groups of points, beginning with the group `first`.
   [[nodiscard]] HWY_INLINE ToBoxes to_boxes(const PointBoxes& boxes, std::size_t first) const {
     return {to_interval(x, &boxes.low[0][first], &boxes.high[0][first]),
             to_interval(y, &boxes.low[1][first], &boxes.high[1][first]),
             to_interval(z, &boxes.low[2][first], &boxes.high[2][first])};
   }
 
-  Numbers x, y, z;
+  Numbers x, y, z;  ///< coordinates of the query position
 
  private:
   HWY_INLINE static Numbers squared_length(Numbers dx, Numbers dy, Numbers dz) {
@@ -120,8 +122,8 @@ struct QueryPoint {
   }
 };
 
-/// Calls visit(first group, mask) for vectors of consecutive groups of points, the mask being set for groups of the
-/// runs. Each group of the runs is visited once. The runs must be ascending and not empty.
+/// Calls visit(first group, mask) for SIMD vectors of consecutive groups of points. The mask is set in the lanes of
+/// groups with points of the runs, each of which is visited once. The runs must be ascending and not empty.
 template <typename Visit>
 HWY_INLINE void for_each_vector_of_groups(const std::vector<GridPoints::Run>& runs, const Visit& visit) {
   const PointLanes d;
@@ -133,7 +135,8 @@ HWY_INLINE void for_each_vector_of_groups(const std::vector<GridPoints::Run>& ru
   }
 }
 
-/// Calls visit(group) for each group of the runs whose bounding box is within `distance` of the query position.
+/// Calls visit(group) for each group with points of the runs whose bounding box is within `distance` of the query
+/// position.
 template <typename Visit>
 HWY_INLINE void for_each_group(const std::vector<GridPoints::Run>& runs, const QueryPoint& from,
                                const PointBoxes& boxes, float distance, const Visit& visit) {

@@ -10,18 +10,18 @@
 
 namespace shapegauge {
 
-/// Order in which samples are computed: sorted by block, so that consecutive samples are near each other. Samples
-/// outside the grid, or not finite, are omitted.
+/// Order in which samples are computed: sorted by block of the grid, so that consecutive samples are near each other.
+/// Samples outside the grid, or with a position or normal that is not finite, are omitted.
 struct SampleOrder {
   SampleOrder(const BlockGrid& grid, const Points& points, const Points& normals);
 
   /// Range of indices from begin to before end.
   struct Range {
-    std::size_t begin, end;
+    std::size_t begin, end;  ///< first index, and one after the last
   };
   std::vector<Eigen::Index> samples;  ///< indices of the samples, sorted by block
-  std::vector<Range> groups;          ///< per block with samples: range in `samples`
-  std::vector<Range> batches;         ///< per batch, whose samples share the lanes of vectors: range in `groups`
+  std::vector<Range> groups;          ///< per block that contains samples: range of indices in `samples`
+  std::vector<Range> batches;         ///< per batch of samples that are computed together: range of indices in `groups`
 };
 
 }  // namespace shapegauge

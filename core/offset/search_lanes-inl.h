@@ -24,20 +24,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-using D = hn::CappedTag<float, 16>;
-using DI = hn::RebindToSigned<D>;
-using Reals = hn::Vec<D>;
-using Integers = hn::Vec<DI>;
-using Mask = hn::Mask<D>;
-using Vectors = LaneVectors<D>;
-using LaneBits = std::uint32_t;
+using D = hn::CappedTag<float, 16>;  ///< Highway tag of one float per lane
+using DI = hn::RebindToSigned<D>;    ///< Highway tag of one 32-bit integer per lane
+using Reals = hn::Vec<D>;            ///< SIMD vector of one float per lane
+using Integers = hn::Vec<DI>;        ///< SIMD vector of one 32-bit integer per lane
+using Mask = hn::Mask<D>;            ///< one truth value per lane of a SIMD vector
+using Vectors = LaneVectors<D>;      ///< one three-dimensional vector per lane
+using LaneBits = std::uint32_t;      ///< set of lanes of a SIMD vector: bit i for lane i
 
-constexpr std::size_t max_lanes = 16;
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t max_lanes = 16;                               ///< maximum number of lanes of a SIMD vector
+constexpr float infinity = std::numeric_limits<float>::infinity();  ///< distance where there is no triangle
 
-/// Array in memory of one float per lane.
+/// Array in memory of one float per SIMD lane.
 struct alignas(64) RealLanes : std::array<float, max_lanes> {};
+/// Array in memory of one integer per SIMD lane.
 struct alignas(64) IntegerLanes : std::array<std::int32_t, max_lanes> {};
+/// Arrays in memory of one three-dimensional vector per SIMD lane.
 struct VectorLanes {
   RealLanes x, y, z;
 
@@ -62,13 +64,16 @@ HWY_INLINE void store(const Vectors& from, VectorLanes& lanes) {
   store(from.z, lanes.z);
 }
 
-HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }
-HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }
-HWY_INLINE Vectors no_vector() { return zero_vector<Reals>(); }
-HWY_INLINE Mask no_lane() { return hn::Lt(real(0), real(0)); }
-HWY_INLINE Mask of_reals(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
-HWY_INLINE hn::Mask<DI> of_integers(Mask mask) { return hn::RebindMask(DI(), mask); }
-HWY_INLINE Mask is_triangle(Integers number) { return of_reals(hn::Gt(number, integer(-1))); }
+HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }                ///< vector with `value` in all lanes
+HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }  ///< vector with `value` in all lanes
+HWY_INLINE Vectors zero_vectors() { return zero_vector<Reals>(); }                ///< zero vector in all lanes
+HWY_INLINE Mask empty_mask() { return hn::Lt(real(0), real(0)); }                 ///< mask that is false in all lanes
+/// Converts a mask of integers to a mask of floats.
+HWY_INLINE Mask real_mask(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
+/// Converts a mask of floats to a mask of integers.
+HWY_INLINE hn::Mask<DI> integer_mask(Mask mask) { return hn::RebindMask(DI(), mask); }
+/// Returns the mask of the lanes whose `number` is the index of a triangle, not -1 for none.
+HWY_INLINE Mask is_triangle(Integers number) { return real_mask(hn::Gt(number, integer(-1))); }
 
 constexpr LaneBits all_lanes() { return (LaneBits{1} << hn::MaxLanes(D())) - 1; }
 HWY_INLINE LaneBits bits_of(Mask mask) {
@@ -80,15 +85,15 @@ HWY_INLINE Mask mask_of(LaneBits bits) {
   const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
   return hn::LoadMaskBits(D(), bytes.data());
 }
-/// Calls visit(lane) for each lane whose bit is set.
+/// Calls visit(lane) for each lane whose bit is set in `bits`.
 template <typename Visit>
 void for_each_lane(LaneBits bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Runs tasks in the lanes of vectors; a lane whose task ends takes the next one. `begin(lane, task)` prepares a lane.
-/// `step(running, started)` advances the running lanes, some of which have just started, and returns those whose tasks
-/// have ended.
+/// Runs tasks in the lanes of SIMD vectors; a lane whose task ends takes the next task. `begin(lane, task)` prepares a
+/// lane. `step(running, started)` advances the running lanes, some of which have just started, and returns those whose
+/// tasks have ended.
 template <typename Task, typename Begin, typename Step>
 void run_in_lanes(std::span<Task> tasks, const Begin& begin, const Step& step) {
   std::size_t next = 0;
@@ -105,16 +110,16 @@ void run_in_lanes(std::span<Task> tasks, const Begin& begin, const Step& step) {
   }
 }
 
-/// One triangle per lane, with the vector from its closest point to the position in this lane.
-struct Surrounding {
-  IntegerLanes triangle;  ///< index of the triangle; -1 if there is none
+/// One triangle per SIMD lane, with the vector from the triangle's closest point to the position in this lane.
+struct TriangleLanes {
+  IntegerLanes triangle;  ///< index of the triangle (TriangleTable); -1 if there is none
   VectorLanes vector;     ///< vector from the closest point of the triangle to the position
   RealLanes squared;      ///< squared length of `vector`; infinite without a triangle
 };
 
-/// Computes the vectors to positions from the triangles in `surrounding`, one per lane. `records` are those of
-/// TriangleTable.
-HWY_INLINE void measure(const float* records, const Vectors& places, Surrounding& surrounding) {
+/// Sets `vector` and `squared` of `surrounding` for the positions `places`, given its triangles. `records` are
+/// TriangleTable::records().
+HWY_INLINE void measure(const float* records, const Vectors& places, TriangleLanes& surrounding) {
   const Integers triangle = load(surrounding.triangle);
   const Mask has_triangle = is_triangle(triangle);
   if (hn::AllFalse(D(), has_triangle)) return store(real(infinity), surrounding.squared);
@@ -125,9 +130,9 @@ HWY_INLINE void measure(const float* records, const Vectors& places, Surrounding
   store(hn::IfThenElse(has_triangle, squared, real(infinity)), surrounding.squared);
 }
 
-constexpr std::size_t cells_around_point = 8;
+constexpr std::size_t cells_around_point = 8;  ///< number of cells around a position (CellsAround)
 
-/// Integer coordinates of one cell per lane.
+/// Coordinates of one cell of the grid per SIMD lane.
 struct CellLanes {
   Integers x, y, z;
 };
@@ -142,9 +147,9 @@ HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vec
   return {along(places.x, 0), along(places.y, 1), along(places.z, 2)};
 }
 
-/// Finds the triangles closest to the eight cells around a position in each lane, given the lowest cell. Writes them to
-/// the eight entries of `found`. Returns the lanes with an exterior cell.
-HWY_INLINE Mask find_cells(const ExteriorGrid& exterior, const CellLanes& lowest, Surrounding* found) {
+/// Finds, in each lane, the triangles closest to the eight cells around a position, given the cell with the lowest
+/// coordinates. Sets the triangles of the eight entries of `found`. Returns the lanes with an exterior cell.
+HWY_INLINE Mask find_cell_triangles(const ExteriorGrid& exterior, const CellLanes& lowest, TriangleLanes* found) {
   const DI di;
   constexpr std::int32_t block_size = sizeof(BoundaryBlock) / sizeof(std::int32_t);
   const std::int32_t* nearest = exterior.boundary().front().nearest.data();
@@ -160,7 +165,7 @@ HWY_INLINE Mask find_cells(const ExteriorGrid& exterior, const CellLanes& lowest
     }
     stride *= exterior.grid().blocks[static_cast<Eigen::Index>(k)];
   }
-  hn::Mask<DI> touches = of_integers(no_lane());
+  hn::Mask<DI> touches = integer_mask(empty_mask());
   for (std::size_t cell = 0; cell < cells_around_point; ++cell) {
     const std::size_t i = cell & 1U;
     const std::size_t j = cell >> 1U & 1U;
@@ -177,7 +182,7 @@ HWY_INLINE Mask find_cells(const ExteriorGrid& exterior, const CellLanes& lowest
     touches = hn::Or(touches,
                      hn::Or(hn::Eq(state, integer(ExteriorGrid::all_exterior)), hn::And(has_triangles, is_exterior)));
   }
-  return of_reals(touches);
+  return real_mask(touches);
 }
 
 }  // namespace shapegauge::HWY_NAMESPACE

@@ -18,13 +18,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-/// One three-dimensional vector per lane.
+/// One three-dimensional vector per lane of the SIMD vectors with the Highway tag D.
 template <typename D>
 using LaneVectors = Vector3<hn::Vec<D>>;
 
-/// Loads one record of sixteen floats per lane, given its index in `numbers`, as sixteen vectors: fields[i] has the
-/// i-th float of each record. Loads groups of four floats and transposes them within 128-bit lanes, which is faster
-/// than gathering.
+/// Loads one record of sixteen floats per lane, given one index into `records` per lane in `numbers`. Writes sixteen
+/// vectors: fields[i] has the i-th float of each lane's record. Loads groups of four floats and transposes them within
+/// 128-bit lanes, which is faster than gathering.
 template <typename D>
 HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* numbers, hn::Vec<D>* fields) {
 #if HWY_TARGET == HWY_SCALAR
@@ -62,15 +62,15 @@ HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* n
 #endif
 }
 
-/// Per lane: vector from the closest point of a triangle to a position, and its squared length.
+/// Per SIMD lane: vector from the closest point of a triangle to a position, and the squared length of this vector.
 template <typename D>
 struct LaneDistances {
-  LaneVectors<D> vector;
-  hn::Vec<D> squared;
+  LaneVectors<D> vector;  ///< from the closest point of the triangle to the position
+  hn::Vec<D> squared;     ///< squared length of `vector`
 };
 
-/// Computes, in each lane, the vector from the closest point of a triangle to a position. `triangles` are indices of
-/// `records`, which are those of TriangleTable.
+/// Computes, in each lane, the vector from the closest point of a triangle to the position `place`. `triangles` has one
+/// index into `records` (TriangleTable::records()) per lane.
 template <typename D>
 HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, const std::int32_t* triangles,
                                                    const LaneVectors<D>& place) {

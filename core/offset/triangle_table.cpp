@@ -92,14 +92,15 @@ double TriangleTable::squared_distance(const Eigen::Vector3d& x, std::int32_t tr
   return static_cast<double>(vectors.squared[0]);
 }
 
-bool TriangleTable::is_over_face(const Eigen::Vector3d& x, std::int32_t triangle, double at_most) const {
+bool TriangleTable::is_over_face(const Eigen::Vector3d& x, std::int32_t triangle, double max_plane_distance) const {
   const Record& record = records_[static_cast<std::size_t>(triangle)];
   const auto field = [&](std::size_t i) { return Eigen::Map<const Eigen::Vector3f>(record.data() + i); };
   const Eigen::Vector3f from_a = x.cast<float>() - field(0);
   const float v = field(9).dot(from_a);
   const float w = field(12).dot(from_a);
   if (!(v >= 0 && w >= 0 && v + w <= 1)) return false;
-  return static_cast<double>((from_a - v * field(3) - w * field(6)).squaredNorm()) <= at_most * at_most;
+  return static_cast<double>((from_a - v * field(3) - w * field(6)).squaredNorm()) <=
+         max_plane_distance * max_plane_distance;
 }
 
 void TriangleTable::vectors_to_each(Vectors& points, const std::int32_t* triangles) const {

@@ -45,7 +45,7 @@ Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
 constexpr auto vertex_noise_parameters = parameters_of(vertex_noise_table);
 
 constexpr std::array remove_faces_parameters{
-    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Fraction of the faces or points."}};
+    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Fraction to remove."}};
 
 constexpr auto punch_holes_parameters = parameters_of(punch_holes_table);
 
@@ -56,15 +56,14 @@ constexpr std::array decimate_parameters{Parameter{.name = "faces",
 
 constexpr auto sample_points_parameters = parameters_of(sample_points_table);
 
-constexpr std::array flip_orientation_parameters{Parameter{.name = "fraction",
-                                                           .default_value = 1.0,
-                                                           .bounds = fraction_bounds,
-                                                           .description = "Fraction of the faces or normals."}};
+constexpr std::array flip_orientation_parameters{Parameter{
+    .name = "fraction", .default_value = 1.0, .bounds = fraction_bounds, .description = "Fraction to reverse."}};
 
-constexpr std::array motion_parameters{Parameter{.name = "scale",
-                                                 .default_value = 1.0,
-                                                 .bounds = motion_scale_bounds,
-                                                 .description = "Maximum scale factor, uniform in its logarithm."}};
+constexpr std::array motion_parameters{
+    Parameter{.name = "scale",
+              .default_value = 1.0,
+              .bounds = motion_scale_bounds,
+              .description = "Maximum scale factor (minimum: its reciprocal); 1: no scaling."}};
 
 // NOLINTBEGIN(performance-unnecessary-value-param): all have the type of Perturbation::apply.
 Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
@@ -108,18 +107,17 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
 
 std::vector<ShapePerturbation> own_perturbations() {
   return {
-      {"vertex_noise", "Moves every vertex (or point) by a random vector.", vertex_noise_parameters,
-       apply_vertex_noise},
-      {"remove_faces", "Removes random faces (or points).", remove_faces_parameters, apply_remove_faces},
-      {"holes", "Removes faces (or points) near random points of the surface.", punch_holes_parameters,
-       apply_punch_holes},
-      {"decimate", "Simplifies the mesh by quadric error.", decimate_parameters, apply_decimate, 1,
+      {"vertex_noise", "Moves vertices or points at random.", vertex_noise_parameters, apply_vertex_noise},
+      {"remove_faces", "Removes random faces, or points of a cloud.", remove_faces_parameters, apply_remove_faces},
+      {"holes", "Cuts round holes at random points of the surface.", punch_holes_parameters, apply_punch_holes},
+      {"decimate", "Simplifies the mesh by quadric error metrics.", decimate_parameters, apply_decimate, 1,
        remark_on_decimation},
-      {"sample_points", "Samples the mesh by random points, uniform by area.", sample_points_parameters,
+      {"sample_points", "Replaces the mesh by random points, uniform by area.", sample_points_parameters,
        apply_sample_points},
       {"vertex_cloud", "Replaces the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},
-      {"flip_orientation", "Reverses random faces (or normals).", flip_orientation_parameters, apply_flip_orientation},
-      {"motion", "Applies a random rotation, translation and scale.", motion_parameters, apply_random_motion},
+      {"flip_orientation", "Reverses random faces, or normals of a cloud.", flip_orientation_parameters,
+       apply_flip_orientation},
+      {"motion", "Rotates, translates and scales the shape at random.", motion_parameters, apply_random_motion},
   };
 }
 
@@ -236,7 +234,7 @@ std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNu
 
 Shape without_elements(Shape shape, const std::vector<bool>& removed) {
   if (std::ranges::find(removed, false) == removed.end()) {
-    throw InputError(fmt::format("nothing would be left of the shape's {} {}", removed.size(),
+    throw InputError(fmt::format("nothing would be left of the shape's {} {}; remove fewer", removed.size(),
                                  is_cloud(shape) ? "points" : "faces"));
   }
   if (is_cloud(shape)) {

@@ -26,18 +26,18 @@ inline constexpr std::array<std::string_view, 2> words_of<NoiseDistribution>{"ga
 
 /// Options of vertex_noise().
 struct VertexNoiseOptions {
-  double amplitude = 0.005;  ///< size of displacements, as a fraction of the bounding-box diagonal (NoiseDistribution)
-  NoiseDistribution distribution = NoiseDistribution::uniform;
+  double amplitude = 0.005;  ///< size of the displacements (NoiseDistribution), in bounding-box diagonals
+  NoiseDistribution distribution = NoiseDistribution::uniform;  ///< distribution of the displacements
 };
 
 /// Names, bounds and help texts of the parameters in VertexNoiseOptions (option_parameters.h).
 inline constexpr std::array vertex_noise_table = {
     without_default(with_unit(
         bounding_box_diagonals,
-        option_of<&VertexNoiseOptions::amplitude>("amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
+        option_of<&VertexNoiseOptions::amplitude>(
+            "amplitude", {.low = 0, .high = 1}, "Maximum displacement; gaussian: standard deviation per coordinate."))),
     option_of<&VertexNoiseOptions::distribution>(
-        "distribution",
-        "gaussian: the amplitude is the standard deviation of each coordinate; uniform: the radius of a ball."),
+        "distribution", "Distribution of displacements: gaussian in each coordinate, or uniform in a ball."),
 };
 
 /// Moves every vertex of a mesh, or point of a cloud, by an independent random vector. Coincident vertices move apart,
@@ -45,7 +45,7 @@ inline constexpr std::array vertex_noise_table = {
 /// shape without extent.
 Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random);
 
-/// Range of a fraction of a shape's elements: triangles, or points of a cloud.
+/// Valid range of the fraction of a shape's elements (triangles, or points of a cloud) to perturb.
 inline constexpr Bounds fraction_bounds{.low = 0, .high = 1};
 
 /// Removes exactly round(fraction * n) of a mesh's n faces, or of a cloud's n points, at random. All vertices of a mesh
@@ -74,24 +74,24 @@ inline constexpr std::array punch_holes_table = {
 /// stay. Throws InputError for options out of bounds, for a shape without extent or area, and if nothing would be left.
 Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random);
 
-/// Range of the scale of random_motion().
+/// Valid range of the maximum scale factor of random_motion().
 inline constexpr Bounds motion_scale_bounds{.low = 1, .high = 1e6};
 
 /// Applies a random similarity transform. The rotation about the centre of the bounding box is uniform over all
-/// rotations. The scale factor is log-uniform in [1 / scale, scale]. The translation is uniform in a ball whose radius
-/// is the bounding-box diagonal. The normals of a cloud rotate with it. Throws InputError for a scale out of bounds and
-/// for a shape without extent.
+/// rotations. The scale factor is log-uniform in [1 / `scale`, `scale`]. The translation is uniform in a ball whose
+/// radius is the bounding-box diagonal. The normals of a cloud rotate with it. Throws InputError for a scale out of
+/// bounds and for a shape without extent.
 Shape random_motion(Shape shape, double scale, RandomNumbers& random);
 
 /// Entry of shape_perturbations(): a kind of perturbation, its name in configurations, and its parameters.
 struct ShapePerturbation {
-  std::string_view name;
-  std::string_view description;
-  std::span<const Parameter> parameters;
+  std::string_view name;                  ///< name in configurations
+  std::string_view description;           ///< effect of the perturbation in one sentence, for help texts
+  std::span<const Parameter> parameters;  ///< parameters that configurations may set
   /// Applies the perturbation. `settings` are complete values of `parameters`. Throws InputError for an unsuitable
   /// shape.
   Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random) = nullptr;
-  int version = 1;  ///< cache version; see docs/manual/cache.md
+  int version = 1;  ///< cache version; increment when results change (docs/manual/cache.md)
   /// Returns a sentence on how the result falls short of the settings, such as too many faces; empty if it does not.
   /// Null if results never fall short.
   std::string (*remark)(const Shape& result, const ParameterValues& settings) = nullptr;
@@ -119,8 +119,8 @@ double required_diagonal(const Shape& shape);
 /// Returns the number of elements of a shape: triangles of a mesh, points of a cloud.
 Eigen::Index element_count(const Shape& shape);
 
-/// Marks exactly round(fraction * count) elements at random (random_subset()). Throws InputError for a fraction out of
-/// bounds.
+/// Marks exactly round(fraction * count) of `count` elements as true, at random (random_subset()). Throws InputError
+/// for a fraction out of bounds.
 std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNumbers& random);
 
 /// Removes the marked elements of a shape (triangles, or points of a cloud); the others keep their order. All vertices

@@ -13,7 +13,7 @@ namespace shapegauge {
 /// Options of sample_points().
 struct SamplePointsOptions {
   std::int64_t points = 10000;  ///< number of points
-  bool with_normals = false;    ///< give the points their triangles' normals
+  bool with_normals = false;    ///< give each point the normal of its triangle; of a cloud, keep the normals
 };
 
 /// Names, bounds and help texts of the parameters in SamplePointsOptions (option_parameters.h).

@@ -7,16 +7,19 @@
 
 namespace shapegauge {
 
-/// Counts of the connected components of a closed, consistently oriented mesh, and its volume.
+/// Cavities, reversed components and volume of a closed, consistently oriented mesh. A component is larger if it
+/// encloses more volume.
 struct ClosedComponents {
-  std::size_t cavities = 0;  ///< inner surfaces of a hollow body: with the opposite orientation to the largest
-                             ///< component, inside the box of a larger component that is oriented like the largest
-  std::size_t reversed = 0;  ///< other components with the opposite orientation to the largest one
-  double volume = 0;  ///< volume of the bodies minus their cavities, in the shape's units cubed; for any orientation
+  /// Number of components that are inner surfaces of hollow bodies: oriented opposite to the largest component and
+  /// inside the bounding box of a larger component oriented like the largest one.
+  std::size_t cavities = 0;
+  std::size_t reversed = 0;  ///< number of components oriented opposite to the largest one that are not cavities
+  /// Volume of the bodies minus their cavities, in the shape's units cubed; positive for any orientation.
+  double volume = 0;
 };
 
-/// Counts the components of a mesh and computes its volume; all zero for a cloud, and for a mesh that is not closed and
-/// consistently oriented. Throws InputError for an unusable shape (require_usable()).
+/// Counts the cavities and reversed components of a mesh and computes its volume; all zero for a cloud, and for a mesh
+/// that is not closed and consistently oriented. Throws InputError for an unusable shape (require_usable()).
 ClosedComponents closed_components(const Shape& shape);
 
 }  // namespace shapegauge

@@ -15,9 +15,11 @@ namespace shapegauge {
 /// welded: they have the same neighbours, and only the first of coincident neighbours is listed. Vertices used only by
 /// duplicate triangles have no neighbours (distinct_triangles()).
 struct VertexNeighbours {
-  std::vector<std::size_t> first;        ///< per vertex: begin of its neighbours; one more entry at the end
+  /// Per vertex: index in `neighbours` of its first neighbour; last entry: number of all neighbours.
+  std::vector<std::size_t> first;
   std::vector<std::int32_t> neighbours;  ///< indices of all neighbours, vertex by vertex
 
+  /// Returns the indices of the neighbours of a vertex.
   [[nodiscard]] std::span<const std::int32_t> of(Eigen::Index vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     return std::span(neighbours).subspan(first[v], first[v + 1] - first[v]);
@@ -35,20 +37,21 @@ struct NoiseLevel {
   /// (noise), 0.6 and more for geometric features (ridges, creases, coarse curved parts).
   double agreement = 1;
 
-  /// Returns deviation / edge_length; 0.02 to 0.05 on clean, fine meshes.
+  /// Returns the noise in edge lengths, deviation / edge_length: 0.02 to 0.05 on clean, fine meshes; 0 without edges.
   [[nodiscard]] double relative() const { return edge_length > 0 ? deviation / edge_length : 0; }
 };
 
-/// Estimates the noise of a mesh: independent displacements of its vertices along the normal.
+/// Estimates the noise of a mesh: independent displacements of its vertices along the normal. `neighbours` is the
+/// shape's vertex_neighbours() and `welding` its welding_of().
 ///
 /// The standard deviation follows from the median absolute difference between a vertex's height above the smoothed mesh
 /// and the mean height of its neighbours. This ignores slow variation and outliers. On coarse meshes features
-/// contribute to the deviation; `agreement` separates them from noise. Independent of the orientation of triangles. All
-/// zero for a cloud. `welding` is the shape's welding_of().
+/// contribute to the deviation; NoiseLevel::agreement distinguishes them: about 0.46 for noise, 0.6 and more for
+/// features. Independent of the orientation of triangles. For a cloud the deviation is 0 and the agreement 1.
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding);
 
-/// Returns true if the vertices of a mesh are clearly noisy: at least 500 used, distinct vertices, a relative() of at
-/// least 0.1, and an agreement below 0.56, which features do not reach.
+/// Returns true if the vertices of a mesh are clearly noisy: at least 500 used, distinct vertices,
+/// NoiseLevel::relative() of at least 0.1, and NoiseLevel::agreement below 0.56 (geometric features: 0.6 and more).
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 
 /// Low-pass filters the vertices of a mesh without shrinkage, by alternating Laplacian steps of opposite sign (Taubin
@@ -60,9 +63,9 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 /// has a k of about (pi / n)^2. Vertices without neighbours stay. Throws InputError for a pass band out of range.
 Points taubin_smoothing(const Points& vertices, const VertexNeighbours& neighbours, double pass_band);
 
-/// Result of denoised(): the shape, smoothed if it was noisy, and its noise.
+/// Result of denoised().
 struct DenoisedShape {
-  Shape shape;
+  Shape shape;           ///< smoothed shape, or the input shape if it was not clearly noisy
   NoiseLevel noise;      ///< noise of the input shape
   double pass_band = 0;  ///< pass band of the smoothing (taubin_smoothing()); 0 if not smoothed
 };

@@ -68,7 +68,7 @@ double half_crack_width(const Shape& mesh, const TriangleBVH& tree, double wides
 
 /// Returns the distance within which this fraction of the points have their sixth neighbour.
 double sixth_neighbour_distance(const Points& points, double fraction) {
-  std::vector<double> distances = distances_to_sixth(points);
+  std::vector<double> distances = distances_to_sixth_neighbour(points);
   return lower_quantile(distances, fraction);
 }
 

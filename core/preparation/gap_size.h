@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// Ratio of an automatic offset to the radius of the widest gap that it is meant to close.
+/// Ratio of an automatic offset (automatic_offset()) to the radius of the widest gap that it is meant to close.
 inline constexpr double offset_per_gap = 1.1;
 
 /// Largest automatic offset, as a fraction of the bounding-box diagonal: a larger offset surface says little about the
@@ -14,7 +14,7 @@ inline constexpr double largest_automatic_offset = 0.05;
 
 /// Radii of gaps, in the shape's units.
 struct GapSizes {
-  double widest = 0;    ///< radius of the widest gap; 0 without gaps
+  double widest = 0;    ///< radius of the widest gap of the shape; 0 without gaps
   double closable = 0;  ///< radius of the widest gap that the largest automatic offset closes
 };
 
@@ -23,8 +23,8 @@ struct GapSizes {
 ///
 /// An inner space is deeper than its gap is wide, by a factor of 1.3. The mouth of a cup, the border of a sheet and the
 /// outline of a patch next to others are therefore no gaps, whatever their size. For a cloud both radii are at least
-/// the distance within which 999 of 1000 points have their sixth neighbour (or their last, in smaller clouds): balls of
-/// that radius about random points leave hardly a hole.
+/// the distance within which 99.9 % of the points have their sixth neighbour (or their last, in smaller clouds): balls
+/// of that radius about random points leave hardly a hole.
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
 /// Radii are accurate to about half a cell. If an inner space is open only through gaps below half a cell, the radius

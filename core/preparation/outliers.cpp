@@ -15,7 +15,7 @@ std::vector<bool> outliers(const Shape& shape) {
   require_usable(shape);
   std::vector<bool> marked(static_cast<std::size_t>(shape.vertices.rows()));
   if (!is_cloud(shape) || marked.empty()) return marked;
-  const std::vector<double> distances = distances_to_sixth(shape.vertices);
+  const std::vector<double> distances = distances_to_sixth_neighbour(shape.vertices);
   std::vector<double> reordered = distances;
   const double limit = max_distance * lower_quantile(reordered, 0.5);
   if (!(limit > 0) || lower_quantile(reordered, 1 - max_fraction) > limit) return marked;

@@ -35,7 +35,8 @@ namespace {
 double positive_tube_area(const Shape& shape) {
   const double area = tube_area(shape);
   if (std::isnormal(area)) return area;
-  throw InputError(fmt::format("the shape cannot be scaled to a unit tube area: its tube area is {}", area));
+  throw InputError(
+      fmt::format("the shape cannot be scaled to a unit tube area: its tube area is {}; use the scale \"area\"", area));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ double positive_area(const Shape& shape);
 /// Cache version of prepare_shape(); see docs/manual/cache.md.
 inline constexpr int preparation_version = 4;
 
-/// Quantity that normalises the scale of a shape.
+/// Measure of area by which the scale of a shape is normalised.
 enum class ScaleEstimate {
   area,       ///< scales positive_area() to 1: exact on clean meshes, meaningless with noise or holes
   tube_area,  ///< scales tube_area() to 1: robust to noise, cracks and sampling
@@ -28,9 +28,9 @@ inline constexpr std::array<std::string_view, 2> words_of<ScaleEstimate>{"area",
 
 /// Options of prepare_shape().
 struct PreparationOptions {
-  bool denoise = false;          ///< smooth clearly noisy meshes (denoised())
-  bool remove_outliers = false;  ///< remove the outliers of clouds (without_outliers())
-  ScaleEstimate scale = ScaleEstimate::area;
+  bool denoise = false;                       ///< smooth clearly noisy meshes (denoised())
+  bool remove_outliers = false;               ///< remove the outliers of clouds (without_outliers())
+  ScaleEstimate scale = ScaleEstimate::area;  ///< measure of area that is scaled to 1
 
   bool operator==(const PreparationOptions&) const = default;
 };
@@ -47,12 +47,12 @@ inline constexpr std::array preparation_table = {
         "tube about the surface, which is robust to noise, cracks and sampling."),
 };
 
-/// Normalised shape and the quantities estimated for it.
+/// Result of prepare_shape(): the normalised shape and quantities estimated for it.
 struct PreparedShape {
-  Shape shape;
-  NoiseLevel noise;      ///< noise of the input; only with the option `denoise`
+  Shape shape;           ///< cleaned shape, with an area (PreparationOptions::scale) of 1
+  NoiseLevel noise;      ///< noise of the input shape; 0 without the option `denoise`
   double pass_band = 0;  ///< pass band of the smoothing (taubin_smoothing()); 0 if not smoothed
-  double area = 0;       ///< area of the input, which was scaled to 1, in the input's units squared
+  double area = 0;       ///< area that was scaled to 1, after cleaning, in the input's units squared
 };
 
 /// Removes normals that are not those of the surface (remove_stray_normals()) and, if requested, outliers and noise.

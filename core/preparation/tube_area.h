@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// Estimates the area of a surface as V / 2r, where V is the volume of the tube around it: all points within a radius
-/// r, a fraction of the bounding-box diagonal. In the shape's units squared.
+/// Estimates the area of a surface, in the shape's units squared, as V / 2r, where V is the volume of the tube around
+/// it: all points within a distance r of the surface. The argument `r` is a fraction of the bounding-box diagonal.
 ///
 /// By Weyl's formula the volume of the tube about a smooth closed surface is 2 r A + (4/3) pi r^3 X, with its Euler
 /// characteristic X (2 for a sphere, 0 for a torus). This holds for any curvature if r is less than the radius of

@@ -15,12 +15,14 @@ namespace shapegauge {
 /// Dense samples from which the points of a surface proxy are chosen. Their order depends only on the surface: not on
 /// the order of faces, vertices and corners, nor on the orientation of faces.
 struct DenseSamples {
-  Points points;
+  Points points;          ///< positions of the samples, in the shape's units
   Points normals;         ///< unit normal of each sample; zero if undefined
-  Eigen::VectorXd areas;  ///< area represented by each sample, positive
-  /// Index of the sheet of each sample; -1 for no sheet. Normals are consistently oriented within a sheet only.
+  Eigen::VectorXd areas;  ///< area represented by each sample, positive, in the shape's units squared
+  /// Index of the sheet (orientable piece of a mesh) that contains each sample; -1 for none, as in a cloud. Not every
+  /// index is used. Normals are consistently oriented within a sheet only.
   std::vector<std::int32_t> sheets;
-  std::vector<std::int32_t> triangles;  ///< triangle of the mesh that contains each sample; empty for a cloud
+  /// Index of the triangle of the mesh that contains each sample; empty for a cloud.
+  std::vector<std::int32_t> triangles;
 };
 
 /// Returns the cosine of the angle between the normals of two samples; its absolute value if they are not in the same
@@ -31,9 +33,9 @@ inline double normal_agreement(const DenseSamples& samples, std::int32_t i, std:
   return sheet >= 0 && sheet == samples.sheets[static_cast<std::size_t>(j)] ? product : std::abs(product);
 }
 
-/// Returns true if two samples at a positive distance lie on the same sheet, judged by the angle of their normals and
-/// their distances from each other's tangent plane. On a circular arc with a turn of t, both distances are sin(t / 2)
-/// times the distance between the samples.
+/// Returns true if two samples probably lie on the same sheet, judged by the angle between their normals and their
+/// distances from each other's tangent plane. `distance` is the distance between the samples, positive. On a circular
+/// arc that turns by t between the samples, both distances are sin(t / 2) times the distance between the samples.
 bool on_same_sheet(const DenseSamples& samples, std::int32_t i, std::int32_t j, double distance);
 
 /// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles. Duplicate

@@ -59,7 +59,7 @@ std::span<const LocalConnectivity::Neighbour> LocalConnectivity::of(const Neighb
 
 void LocalConnectivity::visit(std::int32_t triangle) {
   visited_by_[at(triangle)] = search_;
-  met_border_ = met_border_ || on_border_[at(triangle)] != 0;
+  has_visited_boundary_ = has_visited_boundary_ || on_border_[at(triangle)] != 0;
   queue_.push_back(triangle);
 }
 
@@ -99,7 +99,7 @@ void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& cen
 bool LocalConnectivity::connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre,
                                           double radius, SharedElement shared) {
   ++search_;
-  met_border_ = false;
+  has_visited_boundary_ = false;
   queue_.clear();
   visit(from);
   walk_towards(to, centre, radius, shared);

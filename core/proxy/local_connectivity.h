@@ -23,7 +23,7 @@ class LocalConnectivity {
   LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged, std::span<const HalfEdge> uses);
 
   /// Returns true if two triangles are connected by a path across edges.
-  [[nodiscard]] bool of_one_component(std::int32_t a, std::int32_t b) const {
+  [[nodiscard]] bool in_same_component(std::int32_t a, std::int32_t b) const {
     return component_[at(a)] == component_[at(b)];
   }
 
@@ -33,18 +33,20 @@ class LocalConnectivity {
                          SharedElement shared = SharedElement::edge);
 
   /// Returns true if the last connected_in_ball() visited a triangle with a boundary edge.
-  [[nodiscard]] bool met_border() const { return met_border_; }
+  [[nodiscard]] bool has_visited_boundary() const { return has_visited_boundary_; }
 
  private:
+  /// Adjacency of an element and a triangle. The element is a triangle in across_edges_, a welded vertex in fans_.
   struct Neighbour {
-    std::int32_t of;
-    std::int32_t triangle;
+    std::int32_t of;        ///< index of the element: of a triangle or a welded vertex
+    std::int32_t triangle;  ///< index of the triangle adjacent to the element
   };
 
-  using Neighbours = BucketSorted<Neighbour>;
+  using Neighbours = BucketSorted<Neighbour>;  ///< adjacencies sorted by element
 
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-  /// Returns the neighbours of an element: of a triangle in across_edges_, of a vertex in fans_.
+  /// Returns the triangles adjacent to the element with the index `key`: a triangle if `neighbours` is across_edges_, a
+  /// welded vertex if it is fans_.
   static std::span<const Neighbour> of(const Neighbours& neighbours, std::int32_t key);
   void set_fans(const Shape& shape, std::span<const std::int32_t> merged);
   [[nodiscard]] bool visited(std::int32_t triangle) const { return visited_by_[at(triangle)] == search_; }
@@ -66,8 +68,8 @@ class LocalConnectivity {
   std::vector<std::int32_t> component_;    ///< per triangle: index of its edge-connected component
   std::vector<std::int32_t> visited_by_;   ///< per triangle: number of the last search that visited it
   std::vector<std::int32_t> queue_;        ///< triangles in the order of visits
-  std::int32_t search_ = 0;
-  bool met_border_ = false;
+  std::int32_t search_ = 0;                ///< number of the last search, from 1 on
+  bool has_visited_boundary_ = false;      ///< value of has_visited_boundary()
 };
 
 }  // namespace shapegauge

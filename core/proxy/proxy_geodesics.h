@@ -10,7 +10,7 @@ namespace shapegauge {
 /// Geodesic distances from landmarks of a proxy.
 struct ProxyGeodesics {
   Eigen::MatrixXf distances;  ///< one row per point of the proxy, one column per landmark; in the shape's units
-  Eigen::VectorXd areas;      ///< area of the geodesic Voronoi cell of each landmark
+  Eigen::VectorXd areas;      ///< area of each landmark's geodesic Voronoi cell, in the shape's units squared
 };
 
 /// Computes distances along the arcs of the proxy from its first `landmarks` points (all, if there are fewer), which

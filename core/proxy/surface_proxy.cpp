@@ -84,9 +84,9 @@ class PointConnectivity {
     const std::int32_t from = proxy_.at.triangles[static_cast<std::size_t>(i)];
     const std::int32_t to = proxy_.at.triangles[static_cast<std::size_t>(j)];
     if (from == to) return true;
-    if (!across_triangles_.of_one_component(from, to)) return through_samples(i, j, midpoint, distance);
+    if (!across_triangles_.in_same_component(from, to)) return through_samples(i, j, midpoint, distance);
     if (across_triangles_.connected_in_ball(from, to, midpoint, distance / 2)) return true;
-    return across_triangles_.met_border() &&
+    return across_triangles_.has_visited_boundary() &&
            across_triangles_.connected_in_ball(from, to, midpoint, distance, SharedElement::vertex);
   }
 

@@ -15,24 +15,24 @@ namespace shapegauge {
 /// Cache version of surface_proxy(); increment when a proxy, its Laplacian or its geodesics change.
 inline constexpr int surface_proxy_version = 5;
 
-/// Combines the version of a descriptor that may be computed on the proxy with the version of the proxy.
+/// Combines the cache version of a descriptor that may be computed on the proxy with that of the proxy into one number.
 constexpr int version_on_proxy(int version) { return 1000 * version + surface_proxy_version; }
 
 /// Edge from a point of the proxy to a neighbour.
 struct ProxyArc {
-  std::int32_t to;  ///< index of the neighbour
+  std::int32_t to;  ///< index of the neighbouring point
   float length;     ///< length of the edge, in the shape's units
 };
 
 /// Proxy of a surface of any kind: evenly spread points with areas, normals, adjacency and a Laplacian.
 struct SurfaceProxy {
-  Points points;                       ///< positions in farthest-point order, in the shape's units
-  Points normals;                      ///< unit normals without orientation: the first non-zero component is positive
-  Eigen::VectorXd areas;               ///< area of the surface nearest to each point; the lumped mass of the Laplacian
-  double covering_radius;              ///< maximum distance of a surface point from the proxy's point that covers it
-  std::int32_t components;             ///< number of connected components before they were linked by arcs
-  std::vector<std::size_t> first_arc;  ///< per point: index of its first arc; one more entry at the end
-  std::vector<ProxyArc> arcs;          ///< arcs between neighbours, in both directions; they connect all points
+  Points points;            ///< positions in farthest-point order, in the shape's units
+  Points normals;           ///< unit normals without orientation: the first non-zero component is positive
+  Eigen::VectorXd areas;    ///< area of the surface that each point represents; lumped mass matrix of the Laplacian
+  double covering_radius;   ///< maximum distance of a surface sample from the proxy's point that represents it
+  std::int32_t components;  ///< number of connected components before further arcs linked them
+  std::vector<std::size_t> first_arc;     ///< per point: index of its first arc in `arcs`; last entry: number of arcs
+  std::vector<ProxyArc> arcs;             ///< arcs between neighbours, in both directions; they connect all points
   Eigen::SparseMatrix<double> stiffness;  ///< matrix of the Laplacian: symmetric, positive semidefinite, rows sum to 0
 
   [[nodiscard]] std::span<const ProxyArc> arcs_of(std::size_t point) const {

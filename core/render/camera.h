@@ -14,7 +14,7 @@ struct RenderOptions {
   Eigen::Vector3d towards_viewer = {0.6, 0.45, 1};  ///< direction from the shape to the viewer; any length but 0
   Eigen::Vector3d up = {0, 1, 0};                   ///< direction that is vertical in the image; any length but 0
   double margin = 0.04;                             ///< fraction of the width and height left empty on every side
-  int rays_per_side = 3;     ///< a pixel is the mean of a square grid of rays with this many rays per side
+  int rays_per_side = 3;     ///< square root of the number of rays per pixel, whose mean is the pixel's colour
   bool transparent = false;  ///< transparent background instead of white
 };
 
@@ -30,13 +30,15 @@ RenderOptions upright_view(const Shape& shape, RenderOptions options);
 
 /// Image plane of a parallel projection, in front of the shape.
 struct Camera {
-  Eigen::Vector3d top_left;  ///< position of the image's top left corner, in the shape's coordinates
+  Eigen::Vector3d top_left;  ///< position of the top left corner of the image, in the shape's coordinates
   Eigen::Vector3d right;     ///< unit vector to the right in the image
   Eigen::Vector3d up;        ///< unit vector upwards in the image
   Eigen::Vector3d forward;   ///< unit vector away from the viewer
   Eigen::Vector3d light;     ///< unit vector towards the light: above the viewer's left shoulder
   double pixel = 0;          ///< side of a pixel in the shape's units
 
+  /// Returns the position at a pixel's coordinates (column and row from the top left, fractional) and a depth behind
+  /// the image plane.
   [[nodiscard]] Eigen::Vector3d at(double column, double row, double depth) const {
     return top_left + pixel * (column * right - row * up) + depth * forward;
   }

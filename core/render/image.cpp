@@ -85,8 +85,8 @@ std::vector<Colour> colours_of(const Eigen::VectorXd& values, const ColourScale&
 
 std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0 || image.pixels.size() != byte_count(image.width, image.height)) {
-    throw ArgumentError(
-        fmt::format("an image of {} x {} with {} bytes", image.width, image.height, image.pixels.size()));
+    throw ArgumentError(fmt::format("an image of {} x {} pixels with {} bytes; expected 3 bytes per pixel", image.width,
+                                    image.height, image.pixels.size()));
   }
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;

@@ -238,7 +238,7 @@ ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const 
   };
   const tbb::blocked_range<Eigen::Index> all(0, samples.points.rows(), 256);
   if (options.parallel) {
-    parallel_for_parts(all, answer);
+    interruptible_parallel_for(all, answer);
   } else {
     answer(all);
   }

@@ -15,11 +15,11 @@ namespace shapegauge {
 /// Values sorted by integer key, in stable order.
 template <typename Value>
 struct BucketSorted {
-  std::vector<Value> values;
-  std::vector<std::size_t> first;  ///< per key: index of its first value in `values`; one more entry at the end
+  std::vector<Value> values;       ///< values in ascending order of their keys
+  std::vector<std::size_t> first;  ///< per key: index of its first value in `values`; last entry: number of values
 };
 
-/// Sorts values stably by keys in [0, keys), in linear time. key(value) returns the key.
+/// Sorts values stably by integer keys in [0, keys), in linear time. key(value) returns the key of a value.
 template <typename Value, typename Key>
 BucketSorted<Value> bucket_sort(const std::vector<Value>& values, std::size_t keys, Key key) {
   BucketSorted<Value> result{std::vector<Value>(values.size()), std::vector<std::size_t>(keys + 1, 0)};
@@ -40,12 +40,13 @@ class DisjointSets {
     while (parent_.size() < size) parent_.push_back(static_cast<std::int32_t>(parent_.size()));
   }
 
-  /// Returns the smallest number in the set of i.
+  /// Returns the smallest integer in the set that contains i.
   std::int32_t find(std::int32_t i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
 
+  /// Merges the sets of i and j.
   void join(std::int32_t i, std::int32_t j) {
     i = find(i);
     j = find(j);
@@ -61,7 +62,7 @@ class DisjointSets {
 std::vector<std::int32_t> welded_vertices(const Points& vertices);
 
 /// Returns, for each triangle, the index of the first triangle with the same corners in any order: its own index unless
-/// it is a duplicate. Corners are compared by welded_vertices().
+/// it is a duplicate. `merged` is welded_vertices(): coincident vertices are equal corners.
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged);
 
 /// Coincident vertices and duplicate triangles of a mesh, computed once for several functions (welding_of()).
@@ -69,6 +70,7 @@ struct Welding {
   std::vector<std::int32_t> vertices;   ///< per vertex: first vertex at the same position (welded_vertices())
   std::vector<std::int32_t> triangles;  ///< per triangle: first triangle with the same corners (first_duplicates())
 
+  /// Returns false for a duplicate of an earlier triangle.
   [[nodiscard]] bool is_distinct(Eigen::Index triangle) const {
     return triangles[static_cast<std::size_t>(triangle)] == triangle;
   }
@@ -81,10 +83,11 @@ Welding welding_of(const Shape& shape);
 struct HalfEdge {
   std::int32_t low;       ///< smaller vertex index of the edge
   std::int32_t high;      ///< greater vertex index of the edge
-  std::int32_t triangle;  ///< triangle that the side belongs to
+  std::int32_t triangle;  ///< index of the triangle that the side belongs to
   std::int8_t corner;     ///< corner (0 to 2) at which the side begins; the side leads to the next corner
   bool forward;           ///< true if the side leads from vertex `low` to vertex `high`
 
+  /// Returns true if both half-edges have the same undirected edge.
   [[nodiscard]] bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
@@ -92,14 +95,16 @@ struct HalfEdge {
 /// duplicate triangles only the first has half-edges (first_duplicates()).
 std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& welding);
 
-/// Returns the half-edges of a mesh with the welded_vertices() `merged`; finds the duplicate triangles itself.
+/// Returns the half-edges of all triangles with three distinct corners, sorted by edge and then by triangle; of
+/// duplicate triangles only those of the first. `merged` is the welded_vertices() of the mesh.
 std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged);
 
-/// Returns the half-edges of the surface: those of all triangles or, if only degenerate triangles (is_degenerate())
-/// keep the shape from being closed, those of all non-degenerate triangles.
+/// Returns the half_edges() that decide whether a surface is closed: those of all triangles or, if the surface is
+/// closed only without its degenerate triangles (is_degenerate()), those of the non-degenerate triangles.
 std::vector<HalfEdge> surface_half_edges(const Shape& shape, const Welding& welding);
 
-/// Calls visit(std::span<const HalfEdge>) once per edge, with all half-edges of the edge. `uses` are half_edges().
+/// Calls visit(std::span<const HalfEdge>) once per undirected edge, with all half-edges of the edge. `uses` are sorted
+/// by edge, as by half_edges().
 template <typename Visit>
 void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {
   for (std::size_t begin = 0; begin < uses.size();) {
@@ -115,8 +120,8 @@ void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {
 /// orientation. False without triangles. Throws InputError for an unusable shape (require_usable()).
 bool is_closed(const Shape& shape);
 
-/// Returns true if the shape is closed and every edge is traversed equally often in both directions. Any ray from
-/// outside then crosses the surface inwards as often as outwards, even if parts overlap.
+/// Returns true if the shape is closed (is_closed()) and the triangles traverse every edge equally often in both
+/// directions. Any ray from outside then crosses the surface inwards as often as outwards, even if parts overlap.
 bool is_closed_and_oriented(const Shape& shape);
 
 }  // namespace shapegauge

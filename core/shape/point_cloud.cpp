@@ -221,7 +221,7 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   if (k == 0) return result;
   const PointTree built(points);
   const std::vector<std::int32_t> order = query_order(points);
-  parallel_for_parts(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
+  interruptible_parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
     Query query(static_cast<std::size_t>(k + 1));
     for (std::size_t place = block.begin(); place != block.end(); ++place) {
       find(built, points, order[place], query, result);
@@ -238,7 +238,7 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
   if (k == 0) return result;
   const PointTree built(among);
   const std::vector<std::int32_t> order = query_order(points);
-  parallel_for_parts(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
+  interruptible_parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
     for (std::size_t place = block.begin(); place != block.end(); ++place) {
       const std::int32_t i = order[place];
       built.tree.knnSearch(points.row(i).data(), static_cast<std::size_t>(k), result.indices.row(i).data(),
@@ -254,7 +254,7 @@ std::vector<std::int32_t> nearest_points(const Points& points, const Points& amo
   return {nearest.data(), nearest.data() + nearest.size()};
 }
 
-std::vector<double> distances_to_sixth(const Points& points) {
+std::vector<double> distances_to_sixth_neighbour(const Points& points) {
   constexpr Eigen::Index neighbours = 6;
   std::vector<double> distances(static_cast<std::size_t>(points.rows()));
   if (distances.size() < 2) return distances;

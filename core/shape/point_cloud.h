@@ -9,28 +9,31 @@
 
 namespace shapegauge {
 
-/// k nearest neighbours of each of n points.
+/// k nearest neighbours of each of n points: their indices and distances.
 struct PointNeighbours {
-  /// n x k indices, nearest first. Excludes the point itself, but not other points at the same position.
+  /// Row i has the indices of the k nearest neighbours of point i, nearest first. A point is not its own neighbour, but
+  /// other points at the same position are.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
-  /// n x k distances to the neighbours.
+  /// Row i has the distances from point i to the neighbours in row i of `indices`, in the units of the points.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances;
 };
 
-/// Finds the nearest neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is at most n - 1.
-/// The tree breaks ties at the k-th distance, deterministically for the same points in the same order.
+/// Finds the min(k, n - 1) nearest neighbours of each of n points with a k-d tree (nanoflann), in parallel in the
+/// calling TBB arena. The tree breaks ties at the k-th distance, deterministically for the same points in the same
+/// order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 
-/// Finds the k points of `among` nearest to each point, nearest first, as nearest_neighbours() does. k is at most the
-/// size of `among`.
+/// Finds, for each of n query points, the k nearest points of `among` (all, if there are fewer), nearest first, as
+/// nearest_neighbours() does. A point of `among` at the position of the query point counts as its neighbour.
 PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::Index k);
 
-/// Returns, for each point, the index of the nearest point of `among`, found as nearest_neighbours() does. `among` must
-/// not be empty.
+/// Returns, for each query point, the index of the nearest point of `among`, which must not be empty, as
+/// nearest_among() does.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
-/// Computes the distance of each point to its sixth nearest neighbour or, in smaller clouds, to its farthest one.
-std::vector<double> distances_to_sixth(const Points& points);
+/// Computes the distance of each point to its sixth nearest neighbour or, in clouds of fewer than seven points, to the
+/// farthest point; a measure of the point spacing.
+std::vector<double> distances_to_sixth_neighbour(const Points& points);
 
 /// Estimates unoriented normals of a cloud. Of the planes through a point and two of its 12 nearest neighbours, takes
 /// the one to which the neighbours are closest, each with a distance of at most 0.2 times that of the farthest (a

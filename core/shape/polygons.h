@@ -14,7 +14,7 @@
 
 namespace shapegauge {
 
-/// Returns true if the triangles of a mesh differ from the faces of its file: triangle i is not face i.
+/// Returns true if the triangles of a mesh are not simply the faces of its file, one triangle per face in order.
 inline bool has_polygons(const Shape& shape) { return !shape.polygons.of_triangle.empty(); }
 
 /// Returns the number of polygons of the mesh's file, including those without a triangle. For a mesh that was not read
@@ -27,18 +27,18 @@ inline std::int32_t polygon_of(const Shape& shape, Eigen::Index triangle) {
                              : static_cast<std::int32_t>(triangle);
 }
 
-/// Returns the weight of each triangle if every polygon has a weight of 1, shared evenly by its triangles.
+/// Returns one weight per triangle: 1 / number of triangles of its polygon, so that every polygon has a weight of 1.
 std::vector<double> polygon_shares(const Shape& shape);
 
-/// Converts triangle labels to polygon labels: the label with the largest area within each polygon. Of equal areas the
-/// smallest label wins. Polygons without a triangle get the label 0.
+/// Converts segment labels per triangle to labels per polygon of the file: the label with the largest area within each
+/// polygon. Of equal areas the smallest label wins. Polygons without a triangle get the label 0.
 std::vector<std::int32_t> labels_of_polygons(const Shape& shape, std::span<const std::int32_t> of_triangles);
 
-/// Converts polygon labels to triangle labels. Expects polygon_count() labels.
+/// Converts segment labels per polygon of the file, polygon_count() labels, to labels per triangle.
 std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<const std::int32_t> of_polygons);
 
-/// Returns the text "5 faces of the file became 9 triangles" if the mesh has_polygons(), the beginning of a note on
-/// values or labels; nothing for other shapes.
+/// Returns the text "5 faces of the file became 9 triangles", the beginning of a note on values or labels per triangle;
+/// nothing unless the mesh has_polygons().
 std::optional<std::string> polygon_note(const Shape& shape);
 
 }  // namespace shapegauge

@@ -15,8 +15,8 @@ namespace shapegauge {
 
 /// Points on a mesh and the triangles that contain them.
 struct SurfacePoints {
-  Points points;
-  std::vector<std::int32_t> triangles;
+  Points points;                        ///< one row per point, in the mesh's units
+  std::vector<std::int32_t> triangles;  ///< per point: index of the triangle that contains it
 };
 
 /// Samples a mesh by points, stratified and uniform by area: the concatenated triangle areas are divided into `count`
@@ -39,13 +39,13 @@ inline constexpr std::array<std::string_view, 3> words_of<SampleSite>{"faces", "
 
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
-  SampleSite site = SampleSite::faces;
-  Points points;  ///< one row per sample, in the shape's units
+  SampleSite site = SampleSite::faces;  ///< faces, vertices or surface: where the samples are
+  Points points;                        ///< one row per sample, in the shape's units
   /// Unit normal of each sample, by the triangles' orientation or of the cloud; zero if undefined (degenerate triangle,
   /// unused vertex).
   Points normals;
-  Eigen::VectorXd weights;              ///< area represented by each sample; zero if undefined
-  std::vector<std::int32_t> triangles;  ///< triangle of each surface sample of a mesh; otherwise empty
+  Eigen::VectorXd weights;  ///< area represented by each sample, in the shape's units squared; zero if undefined
+  std::vector<std::int32_t> triangles;  ///< index of each sample's triangle if `site` is surface; otherwise empty
 };
 
 /// Samples a shape at its triangles' centroids or at its vertices.
@@ -65,11 +65,11 @@ Samples sample_shape(const Shape& shape, SampleSite site);
 /// sample_shape() does, for a mesh without area, and for less than one sample.
 Samples sample_surface(const Shape& shape, Eigen::Index count);
 
-/// Value and represented area of each sample. A missing value is NaN. Code that computes or uses a field reports the
-/// number of missing values.
+/// Scalar field on a shape: the value and represented area of each sample. Code that computes or uses a field reports
+/// the number of missing values.
 struct ScalarField {
-  Eigen::VectorXd values;
-  Eigen::VectorXd weights;
+  Eigen::VectorXd values;   ///< value at each sample; NaN if missing
+  Eigen::VectorXd weights;  ///< area represented by each sample (Samples::weights)
 };
 
 }  // namespace shapegauge

@@ -26,9 +26,9 @@ struct Polygons {
 /// Triangles may be non-manifold, degenerate or inconsistently oriented. Unreferenced vertices are kept in the order of
 /// the file and ignored by every measure.
 struct Shape {
-  Points vertices;
-  Triangles triangles;
-  Points normals = {};     ///< unit normals of a point cloud if the file has them; otherwise empty
+  Points vertices;         ///< coordinates of the vertices, or of the points of a cloud
+  Triangles triangles;     ///< indices of the triangles' corners in `vertices`; empty for a cloud
+  Points normals = {};     ///< unit normals of a point cloud if the file has them (zero if unknown); otherwise empty
   Polygons polygons = {};  ///< polygons of the file; dropped by functions that change the list of triangles
 };
 
@@ -43,7 +43,8 @@ double bounding_box_diagonal(const Shape& shape);
 /// triangle with the same corners.
 Eigen::VectorXd triangle_areas(const Shape& shape);
 
-/// Computes the unit normal of a triangle by the order of its corners; zero if the triangle is degenerate.
+/// Computes the unit normal of a triangle, oriented by the order of its corners (right-hand rule); zero if the triangle
+/// is degenerate.
 Eigen::RowVector3d triangle_normal(const Shape& mesh, Eigen::Index triangle);
 
 /// Returns true for a triangle of zero area, up to the rounding of coordinates.
@@ -73,16 +74,17 @@ void require_usable(const Shape& shape);
 /// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1. Single precision and
 /// fixed thresholds then work for every position and size.
 struct UnitFrame {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double diagonal = 1;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, in the shape's coordinates
+  double diagonal = 1;                               ///< length of the bounding-box diagonal, in the shape's units
 
+  /// Converts the point x from the shape's coordinates to those of the frame.
   [[nodiscard]] Eigen::Vector3d to_unit(const Eigen::Vector3d& x) const { return (x - centre) / diagonal; }
 };
 
-/// Returns the frame of a shape's bounding box, with a scale of 1 if the box has no extent.
+/// Returns the frame of a shape's bounding box; with a diagonal of 1, which keeps the scale, if the box has no extent.
 UnitFrame unit_frame(const Shape& shape);
 
-/// Transforms the shape to the frame's coordinates and drops its normals.
+/// Transforms a shape to the frame's coordinates; its normals and polygons are dropped.
 Shape in_unit_frame(const Shape& shape, const UnitFrame& frame);
 
 }  // namespace shapegauge

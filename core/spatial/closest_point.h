@@ -5,13 +5,13 @@
 
 namespace shapegauge {
 
-/// Corners of a triangle.
+/// Triangle in space, by the coordinates of its corners a, b, c.
 struct Triangle {
   Eigen::Vector3d a, b, c;
 };
 
-/// Returns the point of a triangle closest to x, by the Voronoi regions of its features. Degenerate triangles are
-/// handled as segments or points.
+/// Returns the point of a triangle closest to x, by the Voronoi regions of its face, edges and corners. Degenerate
+/// triangles are handled as segments or points.
 Eigen::Vector3d closest_point(const Triangle& triangle, const Eigen::Vector3d& x);
 
 /// Returns the point of the segment ab closest to x.

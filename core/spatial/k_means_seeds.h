@@ -14,8 +14,8 @@ namespace shapegauge {
 
 /// Chooses initial centres of clusters among `points` points by k-means++ (Arthur and Vassilvitskii 2007): the first
 /// uniformly, each further one with a probability proportional to its squared distance from the nearest centre chosen
-/// before. squared_distances(i) returns the squared distances of all points from point i. Returns fewer than `count`
-/// indices only if all other points coincide with a centre. `points` and `count` must be at least 1.
+/// before. squared_distances(i) returns the vector of squared distances from point i to all points. Returns the indices
+/// of `count` points; fewer only if all other points coincide with a centre. `points` and `count` must be at least 1.
 template <typename SquaredDistances>
 std::vector<Eigen::Index> k_means_seeds(Eigen::Index points, Eigen::Index count, RandomNumbers& random,
                                         const SquaredDistances& squared_distances) {

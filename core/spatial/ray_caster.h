@@ -14,8 +14,9 @@ namespace shapegauge {
 struct RayHit {
   std::int32_t triangle = -1;  ///< index of the triangle that was hit; -1 if the ray hits none
   double distance = 0;         ///< distance from the ray's origin to the hit, in the shape's units
-  bool leaving = false;  ///< true if the ray leaves an outward-oriented shape: it runs along the triangle's normal
+  bool leaving = false;  ///< true if the ray crosses the triangle along its normal: it leaves an outward-oriented shape
 
+  /// Returns true if the ray hit a triangle.
   explicit operator bool() const { return triangle >= 0; }
 };
 
@@ -33,7 +34,7 @@ enum class EdgeHandling {
 /// several triangles at the same distance, reports the first in the shape. Thread-safe.
 class RayCaster {
  public:
-  /// Builds the tree; keeps no reference to the shape. Without triangles, all rays miss.
+  /// Builds the search tree of the triangles; keeps no reference to the shape. Without triangles, all rays miss.
   explicit RayCaster(const Shape& shape, EdgeHandling edge_handling = EdgeHandling::robust);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
@@ -41,13 +42,13 @@ class RayCaster {
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
-  /// Returns the first hit along the unit direction, ignoring the triangles `skipped` (a short list, searched
-  /// linearly).
+  /// Returns the first hit along the unit direction, ignoring the triangles with the indices `skipped` (a short list,
+  /// searched linearly).
   [[nodiscard]] RayHit first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                  std::span<const std::int32_t> skipped = {}) const;
 
-  /// Casts one ray per unit direction from a common origin, ignoring the triangles `skipped`. Writes the first hits to
-  /// `hits`, which must have the size of `directions`.
+  /// Casts one ray per unit direction from a common origin, ignoring the triangles with the indices `skipped`. Writes
+  /// the first hits to `hits`, which must have the size of `directions`.
   void first_hits(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
                   std::span<const std::int32_t> skipped, std::span<RayHit> hits) const;
 

@@ -100,7 +100,7 @@ class ConeSearch {
 
   [[nodiscard]] Keys keys_of(const TriangleBvhNode& node) const {
     alignas(64) Keys keys;
-    distances_in_reach(node, query_, keys);
+    child_distances_in_reach(node, query_, keys);
     return keys;
   }
 

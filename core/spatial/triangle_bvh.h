@@ -13,29 +13,29 @@
 
 namespace shapegauge {
 
-/// Result of a closest-point query: the triangle, its point closest to the query point, and their distance.
+/// Result of a closest-point query on the triangles of a shape.
 struct ClosestHit {
-  std::int32_t triangle = -1;
-  double distance = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::int32_t triangle = -1;                                 ///< index of the closest triangle
+  double distance = std::numeric_limits<double>::infinity();  ///< distance from the query point to `point`
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();            ///< point of the triangle closest to the query point
 };
 
 /// Ball to which a search in a TriangleBVH is restricted.
 struct Ball {
-  Eigen::Vector3d centre;
-  double radius;
+  Eigen::Vector3d centre;  ///< centre of the ball, in the shape's coordinates
+  double radius;           ///< radius of the ball, finite, in the shape's units
 };
 
 /// Solid cone to which a search in a TriangleBVH is restricted: all directions from an apex that differ from the unit
 /// axis by at most an angle. The normals of the triangles can be restricted too.
 struct Cone {
-  Eigen::Vector3d apex;
-  Eigen::Vector3d axis;
-  double cosine;  ///< cosine of the angle between axis and boundary, which is at most 90 degrees
+  Eigen::Vector3d apex;  ///< common origin of the directions, in the shape's coordinates
+  Eigen::Vector3d axis;  ///< unit vector along the middle of the cone
+  double cosine;         ///< cosine of the angle between the axis and the boundary of the cone, at most 90 degrees
   /// Cosine of the largest allowed angle between the axis and a triangle's normal, taken with either sign; -1: any
   /// triangles.
   double min_normal_cosine = -1;
-  bool faces_away = false;  ///< true: min_normal_cosine applies to the normal that points away from the apex only
+  bool faces_away = false;  ///< true if min_normal_cosine limits only the normal that points away from the apex
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries. Nodes have eight children and leaves
@@ -55,8 +55,8 @@ class TriangleBVH {
   TriangleBVH(const TriangleBVH&) = delete;
   TriangleBVH& operator=(const TriangleBVH&) = delete;
 
-  /// Returns the closest triangle nearer than max_distance, if any. A hint, any triangle that is probably near, speeds
-  /// up the query and does not change the distance.
+  /// Returns the triangle closest to x if its distance is below max_distance. `hint`, the index of any triangle that is
+  /// probably near (-1: none), speeds up the query and does not change the distance.
   [[nodiscard]] std::optional<ClosestHit> closest(const Eigen::Vector3d& x,
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;

@@ -256,8 +256,8 @@ std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const s
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
 }
 
-void distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
-                        std::array<float, children_per_node>& squared_distances) {
+void child_distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
+                              std::array<float, children_per_node>& squared_distances) {
   HWY_DYNAMIC_DISPATCH(in_reach)(node, query, squared_distances);
 }
 

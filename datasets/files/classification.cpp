@@ -50,18 +50,21 @@ std::vector<int> class_labels(const Classification& classification, std::span<co
     const std::string canonical = canonical_model_id(id);
     const auto found = class_of_model.find(canonical);
     if (found == class_of_model.end()) {
-      throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out", source,
-                                   quoted_word(id)));
+      throw InputError(
+          fmt::format("{}: model {} is in no class; add it to the file or remove the model", source, quoted_word(id)));
     }
     if (!seen.insert(canonical).second) {
-      throw InputError(fmt::format("model {} occurs twice in the models to look up in {}", quoted_word(id), source));
+      throw InputError(
+          fmt::format("{}: model {} is repeated among the {} models found, not in this file; remove one of them",
+                      source, quoted_word(id), ids.size()));
     }
     labels.push_back(found->second);
   }
   for (const std::string& model : models_in_file_order(classification)) {
     if (seen.contains(canonical_model_id(model))) continue;
-    throw InputError(fmt::format("{}: model {} is classified but is not among the {} models that are there", source,
-                                 quoted_word(model), ids.size()));
+    throw InputError(
+        fmt::format("{}: model {} has a class but is not among the {} models found; add its file, or remove it here",
+                    source, quoted_word(model), ids.size()));
   }
   return labels;
 }

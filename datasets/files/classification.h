@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// Class of models in a hierarchy. Classes form a forest; a class that only groups other classes has no models.
 struct ModelClass {
-  std::string name;
+  std::string name;                   ///< name of the class
   std::optional<std::size_t> parent;  ///< index of the parent class, which precedes this class; absent for a root
   std::vector<std::string> models;    ///< ids of the class's models, spelled as in the file
 
@@ -34,7 +34,7 @@ std::size_t model_count(const Classification& classification);
 /// tools assume this order for the rows and columns of a distance matrix.
 std::vector<std::string> models_in_file_order(const Classification& classification);
 
-/// Returns the ids of all models in natural order, spelled as in the classification.
+/// Returns the ids of all models in natural order (natural_less()), spelled as in the classification.
 std::vector<std::string> models_in_natural_order(const Classification& classification);
 
 /// Returns the class (index into classification.classes) of each model; compares ids by canonical_model_id(). Throws

@@ -130,7 +130,7 @@ std::string read_plain_bytes(const std::filesystem::path& path) {
 
 std::string read_plain_text(const std::filesystem::path& path) { return to_utf8(read_plain_bytes(path)); }
 
-std::string array_in_npz(std::string_view bytes, const std::string& source, const std::string& variable) {
+std::string extract_npz_array(std::string_view bytes, const std::string& source, const std::string& variable) {
   constexpr std::string_view what = "not a .npz archive, or damaged";
   const Archive opened(archive_read_new());
   archive_read_support_format_zip(opened.get());

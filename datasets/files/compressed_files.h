@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Returns the extension that determines a file's format, in lower case, without `.gz`.
+/// Returns the extension that determines a file's format, in lower case, with the dot: ".npy" for a.NPY.gz.
 std::string format_extension(const std::filesystem::path& path);
 
 /// Returns the maximum size to which a file of `packed` bytes may unpack: 256 MiB or 50 times `packed`, whichever is
@@ -26,9 +26,9 @@ std::string read_plain_bytes(const std::filesystem::path& path);
 /// Reads a text file as read_plain_bytes() does, converted to UTF-8 if it is UTF-16.
 std::string read_plain_text(const std::filesystem::path& path);
 
-/// Extracts the `.npy` file of the array named `variable`, or of the only array if it is
-/// empty, of a NumPy `.npz` archive, given its bytes. Throws InputError for an invalid or damaged archive, one that
-/// unpacks to more than max_unpacked_bytes(), and one without that array; the message lists the arrays.
-std::string array_in_npz(std::string_view bytes, const std::string& source, const std::string& variable = "");
+/// Extracts the `.npy` file of the array named `variable` from the bytes of a NumPy `.npz` archive. If `variable` is
+/// empty, the archive must have one array. Throws InputError, with `source`, for an invalid or damaged archive, one
+/// that unpacks to more than max_unpacked_bytes(), and one without this array; the message lists the arrays.
+std::string extract_npz_array(std::string_view bytes, const std::string& source, const std::string& variable = "");
 
 }  // namespace shapegauge

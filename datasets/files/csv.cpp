@@ -42,25 +42,25 @@ CsvReader::CsvReader(std::string_view text, std::string source, char separator)
       separator_(separator),
       line_end_(rest_.find('\n') == std::string_view::npos ? '\r' : '\n'),
       cell_ends_({separator, line_end_}) {
-  if (declared_separator(text)) take_row();
+  if (declared_separator(text)) read_row();
 }
 
 std::optional<CsvRow> CsvReader::next() {
   while (!rest_.empty()) {
-    CsvRow row = take_row();
+    CsvRow row = read_row();
     const bool blank = !quoted_ && std::ranges::all_of(row.cells, &std::string::empty);
     if (!blank) return row;
   }
   return std::nullopt;
 }
 
-CsvRow CsvReader::take_row() {
+CsvRow CsvReader::read_row() {
   CsvRow row{.cells = {}, .line = line_};
   quoted_ = false;
   while (true) {
     if (row.cells.size() == max_csv_cells) fail(line_, fmt::format("the row has more than {} cells", max_csv_cells));
     skip_blanks();
-    row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : std::string(take_to_cell_end()));
+    row.cells.push_back(rest_.starts_with('"') ? read_quoted_cell() : std::string(read_to_cell_end()));
     if (row.cells.back().starts_with('\'') && is_formula(row.cells.back())) row.cells.back().erase(0, 1);
     const bool more = rest_.starts_with(separator_);
     if (!more) ++line_;
@@ -77,7 +77,7 @@ void CsvReader::skip_blanks() {
 bool CsvReader::is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
 
 // Returns the cell up to the separator or the line end, which stays.
-std::string_view CsvReader::take_to_cell_end() {
+std::string_view CsvReader::read_to_cell_end() {
   std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
   rest_.remove_prefix(cell.size());
   const bool line_ends = rest_.empty() || rest_.front() == line_end_;
@@ -86,7 +86,7 @@ std::string_view CsvReader::take_to_cell_end() {
   return cell;
 }
 
-std::string CsvReader::take_quoted_cell() {
+std::string CsvReader::read_quoted_cell() {
   quoted_ = true;
   const std::size_t first_line = line_;
   std::string cell;
@@ -104,7 +104,7 @@ std::string CsvReader::take_quoted_cell() {
     cell += '"';
   }
   skip_blanks();
-  const std::string_view behind = take_to_cell_end();
+  const std::string_view behind = read_to_cell_end();
   if (!behind.empty()) {
     fail(line_, quoted_word(behind) + " follows a closing quotation mark; put a separator between them");
   }

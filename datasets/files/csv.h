@@ -13,8 +13,8 @@ namespace shapegauge {
 
 /// Row of a table of separated values, with its line number for error messages.
 struct CsvRow {
-  std::vector<std::string> cells;
-  std::size_t line = 0;  ///< line of the file on which the row begins, counted from 1
+  std::vector<std::string> cells;  ///< texts of the cells, without quotation marks
+  std::size_t line = 0;            ///< line of the file on which the row begins, counted from 1
 };
 
 /// Maximum number of cells in one row of a CSV file.
@@ -26,7 +26,8 @@ inline constexpr std::size_t max_csv_cells = 1'000'000;
 /// first_separator() and number_separator() return what it declares.
 class CsvReader {
  public:
-  /// Prepares to read `text`, which must outlive the reader. `source` prefixes error messages.
+  /// Prepares to read `text`, which must outlive the reader. `source` prefixes error messages; `separator` separates
+  /// cells.
   CsvReader(std::string_view text, std::string source, char separator);
 
   /// Returns the next row that is not blank, or nothing at the end of the text. A blank row has only empty cells, none
@@ -35,20 +36,20 @@ class CsvReader {
   std::optional<CsvRow> next();
 
  private:
-  CsvRow take_row();
-  void skip_blanks();
-  [[nodiscard]] bool is_blank(char c) const;
-  std::string_view take_to_cell_end();
-  std::string take_quoted_cell();
-  [[noreturn]] void fail(std::size_t line, const std::string& message) const;
+  CsvRow read_row();                          ///< reads the next row, blank or not
+  void skip_blanks();                         ///< skips blanks and tabs that are not separators
+  [[nodiscard]] bool is_blank(char c) const;  ///< true for a blank or tab that is not the separator
+  std::string_view read_to_cell_end();        ///< reads up to the next separator or line end
+  std::string read_quoted_cell();             ///< reads a cell in quotation marks
+  [[noreturn]] void fail(std::size_t line, const std::string& message) const;  ///< throws InputError at a line
 
-  std::string_view rest_;
-  std::string source_;
-  char separator_;
-  char line_end_;
-  std::string cell_ends_;
-  std::size_t line_ = 1;
-  bool quoted_ = false;  ///< true if the current row has a quoted cell
+  std::string_view rest_;  ///< text that is not yet read
+  std::string source_;     ///< name of the file, for messages
+  char separator_;         ///< separator of cells
+  char line_end_;          ///< LF, or CR in a text without LF
+  std::string cell_ends_;  ///< characters that end an unquoted cell: separator and line end
+  std::size_t line_ = 1;   ///< number of the line being read, from 1
+  bool quoted_ = false;    ///< true if the row being read has a quoted cell
 };
 
 /// Parses all rows of a comma-separated text, except blank rows. Throws InputError as CsvReader does.
@@ -68,11 +69,12 @@ inline constexpr std::array<std::string_view, 3> class_column_names{"class", "la
 /// Accepted names, in lower case, of the table column that contains the subclass of each model.
 inline constexpr std::array<std::string_view, 2> subclass_column_names{"subclass", "subcategory"};
 
-/// Returns the index of the first column that has one of the lower-case `names`, ignoring case; nothing if none has.
+/// Returns the index of the first cell of a table's first row that is one of the lower-case `names`, ignoring case;
+/// nothing if none is.
 std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
 
-/// Returns the index of the column named in class_column_names; nothing if there is none. Throws InputError for several
-/// such columns.
+/// Returns the index of the column whose name is in class_column_names; nothing if there is none. Throws InputError,
+/// with `source`, for several such columns.
 std::optional<std::size_t> find_class_column(const CsvRow& header, const std::string& source);
 
 /// Returns the separator of a table of numbers, with or without quoted names: a comma, unless the first line has tabs

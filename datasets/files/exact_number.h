@@ -9,7 +9,8 @@
 
 namespace shapegauge {
 
-/// Converts a number of a file to double. Throws InputError for an integer beyond 2^53, which double may round.
+/// Converts a number of a file to double. Throws InputError for an integer of magnitude above 2^53, which double may
+/// round.
 template <typename Number>
 double exact_number(Number number) {
   if constexpr (std::is_integral_v<Number> && sizeof(Number) == sizeof(std::int64_t)) {

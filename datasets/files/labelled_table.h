@@ -10,7 +10,7 @@ namespace shapegauge {
 
 /// Table of numbers with ids: distances from the row's model to the column's model, or one row of features per model.
 struct LabelledTable {
-  DistanceMatrix numbers;
+  DistanceMatrix numbers;               ///< distances or features, one row per model
   std::vector<std::string> row_ids;     ///< ids of the models of the rows; empty if unknown
   std::vector<std::string> column_ids;  ///< ids of the models or features of the columns; empty if unknown
 };

@@ -107,7 +107,7 @@ LabelledTable read_npy(const Source& source, TableShape shape) {
 
 LabelledTable read_npz(const Source& source, TableShape shape) {
   const std::string name = source.path.string();
-  return npy_table(array_in_npz(read_plain_bytes(source.path), name, source.variable), name, shape);
+  return npy_table(extract_npz_array(read_plain_bytes(source.path), name, source.variable), name, shape);
 }
 
 LabelledTable read_matlab(const Source& source, TableShape shape) {
@@ -168,7 +168,7 @@ bool is_condensed_shape(std::span<const std::uint64_t> shape) {
   return size_of_condensed(static_cast<Eigen::Index>(length)).has_value();
 }
 
-void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,
+void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPosition& first, TableShape shape,
                            const std::filesystem::path& path) {
   const bool square = shape == TableShape::square;
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {

@@ -81,7 +81,7 @@ std::string ModelKeys::of(std::string_view id) const {
   return ambiguous_.contains(canonical) ? std::string(id) : canonical;
 }
 
-std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {
+std::vector<std::string> distinguishing_suffixes(const std::vector<std::filesystem::path>& paths) {
   const std::size_t different = std::set(paths.begin(), paths.end()).size();
   std::ptrdiff_t longest = 1;
   for (const std::filesystem::path& path : paths) longest = std::max(longest, std::distance(path.begin(), path.end()));

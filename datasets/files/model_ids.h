@@ -24,12 +24,12 @@ std::string canonical_model_id(std::string_view id);
 class ModelKeys {
  public:
   ModelKeys() = default;
-  explicit ModelKeys(const std::vector<std::string>& known_ids);
+  explicit ModelKeys(const std::vector<std::string>& known_ids);  ///< keys for comparison with these ids
 
   /// Adds the ambiguous ids of other keys: such ids then keep their extensions in the key.
   void add(const ModelKeys& other) { ambiguous_.insert(other.ambiguous_.begin(), other.ambiguous_.end()); }
 
-  [[nodiscard]] std::string of(std::string_view id) const;
+  [[nodiscard]] std::string of(std::string_view id) const;  ///< returns the key of an id
 
   bool operator==(const ModelKeys&) const = default;
 
@@ -39,6 +39,6 @@ class ModelKeys {
 
 /// Returns the shortest distinguishing suffixes of paths, without extensions if possible: "x" and "y" for a/x.off and
 /// b/y.off, "x.off" and "x.obj" for a/x.off and b/x.obj. Equal paths have equal suffixes.
-std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths);
+std::vector<std::string> distinguishing_suffixes(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace shapegauge

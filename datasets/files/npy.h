@@ -18,15 +18,16 @@ namespace shapegauge {
 /// Header of a NumPy `.npy` file (numpy.lib.format, versions 1.0 to 3.0).
 struct NpyHeader {
   std::string type;                  ///< type of the numbers in NumPy's notation, such as "<f8"
-  bool column_by_column = false;     ///< true for Fortran order
+  bool column_by_column = false;     ///< true if data are stored column by column (Fortran order)
   std::vector<std::uint64_t> shape;  ///< number of entries along each dimension
   std::size_t data_begin = 0;        ///< offset of the data from the beginning of the file, in bytes
 };
 
-/// Binary number format: size in bytes, and a function that decodes `count` numbers. It throws InputError as
+/// Binary number format: size of a number, and a function that decodes numbers. The function throws InputError as
 /// exact_number() does.
 struct NumberFormat {
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;  ///< size of one number in bytes
+  /// Decodes the first `count` numbers of `bytes` and writes them to `numbers`.
   void (*decode)(const char* bytes, std::size_t count, double* numbers) = nullptr;
 };
 
@@ -35,10 +36,10 @@ NumberFormat float32_format();
 
 /// Layout of a matrix in a `.npy` file: its size, number format and order, and where the data begin.
 struct NpyTable {
-  Eigen::Index rows = 0;
-  Eigen::Index columns = 0;
-  NumberFormat numbers;
-  bool column_by_column = false;  ///< true for Fortran order
+  Eigen::Index rows = 0;          ///< number of rows of the matrix
+  Eigen::Index columns = 0;       ///< number of columns of the matrix; 1 for a one-dimensional array
+  NumberFormat numbers;           ///< format of the matrix entries
+  bool column_by_column = false;  ///< true if data are stored column by column (Fortran order)
   std::size_t data_begin = 0;     ///< offset of the data from the beginning of the file, in bytes
 };
 
@@ -49,15 +50,15 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
 /// Formats the `.npy` header (version 1.0) of a row-major matrix of little-endian float64.
 std::string npy_header_of_matrix(std::size_t rows, std::size_t columns);
 
-/// Formats the `.npy` header (version 1.0) of a one-dimensional array of little-endian float64.
+/// Formats the `.npy` header (version 1.0) of a one-dimensional array of `size` numbers, little-endian float64.
 std::string npy_header_of_vector(std::size_t size);
 
 /// Encodes numbers as little-endian float64, the data that follow the header of a `.npy` file.
 std::string npy_numbers(std::span<const double> numbers);
 
-/// Validates the header of a numeric array against the size of its file. `beginning` must contain the header. A
-/// one-dimensional array is one column. Throws InputError for an invalid header, an unsupported type, a shape that
-/// `shape` does not accept, and data of the wrong length.
+/// Validates the header of a numeric array against the size of its file in bytes. `beginning` is the beginning of the
+/// file and must contain the header. A one-dimensional array is one column. Throws InputError for an invalid header, an
+/// unsupported type, a shape that `shape` does not accept, and data of the wrong length.
 NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, TableShape shape,
                                 const std::string& source);
 

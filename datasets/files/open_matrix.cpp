@@ -57,7 +57,7 @@ class OpenFile {
 DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, TableShape shape, const MatrixBlock& block) {
   DistanceMatrix numbers(block.rows, block.columns);
   const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
-  parallel_for_parts(
+  interruptible_parallel_for(
       tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
         std::vector<char> bytes(row_bytes);
         for (Eigen::Index row = some.begin(); row < some.end(); ++row) {

@@ -12,25 +12,24 @@ namespace shapegauge {
 
 /// Rectangular block of a matrix: its first row and column, and its numbers of rows and columns.
 struct MatrixBlock {
-  Eigen::Index first_row = 0;
-  Eigen::Index rows = 0;
-  Eigen::Index first_column = 0;
-  Eigen::Index columns = 0;
+  Eigen::Index first_row = 0;     ///< index, in the matrix, of the first row of the block
+  Eigen::Index rows = 0;          ///< number of rows of the block
+  Eigen::Index first_column = 0;  ///< index, in the matrix, of the first column of the block
+  Eigen::Index columns = 0;       ///< number of columns of the block
 };
 
 /// Matrix that is read in blocks and need not be in memory as a whole. Blocks are read in parallel and are the same for
 /// any number of threads.
 struct OpenMatrix {
-  Eigen::Index rows = 0;
-  Eigen::Index columns = 0;
-  std::function<DistanceMatrix(const MatrixBlock&)> read;
-  std::vector<std::string> row_ids{};     ///< ids of the models of the rows; empty if unknown
+  Eigen::Index rows = 0;                                   ///< number of rows of the matrix
+  Eigen::Index columns = 0;                                ///< number of columns of the matrix
+  std::function<DistanceMatrix(const MatrixBlock&)> read;  ///< returns a block of the matrix
+  std::vector<std::string> row_ids{};                      ///< ids of the models of the rows; empty if unknown
   std::vector<std::string> column_ids{};  ///< ids of the models or features of the columns; empty if unknown
 };
 
-/// Opens a matrix with the formats of read_matrix(). For `.matrix` files and `.npy`
-/// files in C order, only the requested blocks are in memory, and a NaN is an error of its block; other files are read
-/// as a whole.
+/// Opens a matrix with the arguments and formats of read_matrix(). For `.matrix` files and `.npy` files in C order,
+/// only the requested blocks are in memory, and a NaN is an error of its block; other files are read as a whole.
 OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape, const std::string& variable = "");
 
 /// Makes an OpenMatrix of a table in memory.

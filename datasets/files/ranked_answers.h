@@ -13,30 +13,32 @@ namespace shapegauge {
 
 /// Ranked lists of models, one per query; a list need not contain all models.
 struct RankedAnswers {
+  /// Ranked list of one query.
   struct Answer {
     std::string query;                                   ///< id of the query
-    std::vector<std::pair<std::string, double>> models;  ///< id of each model, and its negative score or its rank
+    std::vector<std::pair<std::string, double>> models;  ///< ids of models, with the rank or the negated score
   };
-  std::vector<Answer> answers;  ///< one per query, in order of first appearance
+  std::vector<Answer> answers;  ///< ranked lists, one per query, in order of first appearance
   std::string name;             ///< tag of a TREC run; empty unless all lines have the same tag
-  std::size_t reversed = 0;     ///< number of queries of a TREC run whose scores rise with the rank
+  std::size_t reversed = 0;     ///< number of queries of a TREC run whose scores increase with the rank in the file
 };
 
 /// Relevance judgements of models for queries (qrels).
 struct Judgements {
+  /// Judged models of one query.
   struct Judged {
     std::string query;                    ///< id of the query
     std::vector<std::string> relevant;    ///< ids of the relevant models
-    std::vector<int> grades;              ///< positive grades, one per relevant model
+    std::vector<int> grades;              ///< relevance grades, positive, one per relevant model
     std::vector<std::string> irrelevant;  ///< ids of the models judged as not relevant
   };
-  std::vector<Judged> queries;
-  bool graded = false;  ///< true if any grade is above 1
+  std::vector<Judged> queries;  ///< judgements per query, in order of first appearance
+  bool graded = false;          ///< true if any relevance grade is above 1
 };
 
 /// Parses a TREC run: lines `query Q0 model rank score tag`. As in trec_eval, the order is by descending score and the
-/// rank is ignored. Lines that begin with # are comments. Throws InputError, with the line, for a wrong number of
-/// words, a score that is not finite, a repeated model of a query, and no lines.
+/// rank is ignored. Lines that begin with "# ", or with # and have other than 6 words, are comments. Throws InputError,
+/// with the line, for a wrong number of words, a score that is not finite, a repeated model of a query, and no lines.
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source);
 
 /// Parses ranked lists: one line per query with its id and then the models' ids, best first, separated by blanks or
@@ -49,8 +51,9 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
 RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source);
 
 /// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant, and negative ones
-/// mean not judged. Lines that begin with # are comments. Throws InputError, with the line, for a wrong number of
-/// words, a grade that is not an integer, a model judged twice for a query, and no lines.
+/// mean not judged. Lines that begin with "# ", or with # and have other than 4 words, are comments. Throws InputError,
+/// with the line, for a wrong number of words, a grade that is not an integer, a model judged twice for a query, and no
+/// lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
 /// File extensions of TREC runs (.run, .trec) and ranked lists (.lists).

@@ -13,16 +13,16 @@ namespace shapegauge {
 
 /// Escape sequences that begin and end bold text on a terminal.
 /// @{
-inline constexpr std::string_view terminal_bold = "\x1b[1m";
-inline constexpr std::string_view terminal_plain = "\x1b[0m";
+inline constexpr std::string_view terminal_bold = "\x1b[1m";   ///< begins bold text
+inline constexpr std::string_view terminal_plain = "\x1b[0m";  ///< ends bold text
 /// @}
 
 /// Emphasis of a table cell: bold text, a mark after the text, or both; ignored in CSV.
 struct Emphasis {
-  std::size_t row = 0;
-  std::size_t column = 0;
-  bool bold = false;
-  std::string mark;
+  std::size_t row = 0;     ///< index of the cell's row in TextTable::rows
+  std::size_t column = 0;  ///< index of the cell's column in TextTable::header
+  bool bold = false;       ///< true for bold text
+  std::string mark;        ///< text that follows the cell's text; empty for none
 };
 
 /// Formats a number with `decimals` decimal places, but never as "-0.00".
@@ -30,11 +30,11 @@ std::string decimal_text(double number, int decimals);
 
 /// Table of text cells with formatted numbers. Every row has as many cells as the header.
 struct TextTable {
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows{};
+  std::vector<std::string> header;               ///< titles of the columns
+  std::vector<std::vector<std::string>> rows{};  ///< cells, row by row
   std::size_t text_columns =
       1;  ///< number of leading text columns, aligned left; the further columns have numbers, aligned right
-  std::vector<Emphasis> emphases{};
+  std::vector<Emphasis> emphases{};  ///< cells with bold text or a mark
 };
 
 /// Makes the largest number of each numeric column bold within each group of rows. Rows of a group have the same words

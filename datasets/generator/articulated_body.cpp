@@ -27,12 +27,12 @@ bool has_degenerate_triangle(const Shape& shape) {
 
 }  // namespace
 
-ArticulatedBody make_body(const Skeleton& skeleton, int faces) {
+ArticulatedBody make_articulated_body(const Skeleton& skeleton, int faces) {
   const ImplicitSurface surface(skeleton);
   const Shape mesh = mesh_implicit_surface(surface, faces);
   ArticulatedBody body;
   body.skeleton = skeleton;
-  body.rest = {mesh.vertices, bones_of(skeleton)};
+  body.rest = {mesh.vertices, bone_tree_of(skeleton)};
   body.triangles = mesh.triangles;
   body.weights = bone_weights(mesh, surface, body.rest.tree);
   body.labels = limb_labels(mesh, body.weights, body.rest.tree);
@@ -46,7 +46,7 @@ Shape draw_model(const ArticulatedBody& body, RandomNumbers& random) {
   double amplitude = 1;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const std::vector<RigidMotion> motions = draw_pose(body.skeleton, individual.tree, amplitude, random);
-    Shape model{skinned(individual.points, body.weights, motions), body.triangles};
+    Shape model{skin_points(individual.points, body.weights, motions), body.triangles};
     if (!has_degenerate_triangle(model) && !self_intersects(model)) return model;
     amplitude *= shrinkage;
   }

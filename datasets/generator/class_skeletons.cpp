@@ -15,7 +15,7 @@ constexpr std::array skeletons = {&dog_skeleton,      &human_skeleton,    &hand_
 
 }  // namespace
 
-std::size_t class_count() { return skeletons.size(); }
+std::size_t articulated_class_count() { return skeletons.size(); }
 
 Skeleton class_skeleton(std::size_t index) { return skeletons.at(index)(); }
 

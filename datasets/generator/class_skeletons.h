@@ -8,9 +8,9 @@
 namespace shapegauge {
 
 /// Returns the number of classes of articulated bodies.
-std::size_t class_count();
+std::size_t articulated_class_count();
 
-/// Returns the skeleton of a class, from 0 to class_count() - 1. The most distinct classes come first.
+/// Returns the skeleton of a class, from 0 to articulated_class_count() - 1. The most distinct classes come first.
 Skeleton class_skeleton(std::size_t index);
 
 /// Return the skeletons of the articulated classes in the rest pose, 2 to 4 units in size.

@@ -31,7 +31,8 @@ namespace {
 
 constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low = 1000, .high = 100'000},
                                                                   "Approximate number of triangles per model.");
-constexpr auto seed_option = option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Seed of random numbers.");
+constexpr auto seed_option =
+    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Seed of random numbers; another gives other shapes.");
 
 constexpr int max_models = 1000;
 
@@ -50,7 +51,7 @@ GeneratedClass articulated_class(std::size_t index) {
   std::vector<std::string> parts;
   for (const Limb& limb : skeleton.limbs) parts.push_back(part_name(limb));
   return {skeleton.name, std::move(parts), [skeleton](int faces) {
-            return [body = make_body(skeleton, faces)](RandomNumbers& random) {
+            return [body = make_articulated_body(skeleton, faces)](RandomNumbers& random) {
               return SolidMesh{draw_model(body, random), body.labels};
             };
           }};
@@ -74,7 +75,7 @@ GeneratedClass class_of_objects(const ObjectClass& objects) {
 const std::vector<GeneratedClass>& generated_classes() {
   static const std::vector<GeneratedClass> classes = [] {
     std::vector<GeneratedClass> all;
-    for (std::size_t c = 0; c < class_count(); ++c) all.push_back(articulated_class(c));
+    for (std::size_t c = 0; c < articulated_class_count(); ++c) all.push_back(articulated_class(c));
     for (const ObjectClass& objects : object_classes()) all.push_back(class_of_objects(objects));
     return all;
   }();

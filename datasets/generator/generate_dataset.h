@@ -43,8 +43,8 @@ const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table();
 /// Return the parameters of GeneratorOptions (except `replace`) and of GeneratedModel. The parameter of model_class is
 /// named `class`.
 /// @{
-std::span<const Parameter> generator_parameters();
-std::span<const Parameter> generated_model_parameters();
+std::span<const Parameter> generator_parameters();        ///< parameters of GeneratorOptions
+std::span<const Parameter> generated_model_parameters();  ///< parameters of GeneratedModel
 /// @}
 
 /// Callback after every model, with the numbers of models written so far and in total; serialised, from any thread.

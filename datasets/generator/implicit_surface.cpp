@@ -42,7 +42,7 @@ ConeHit closest_ball(const RoundCone& cone, const Eigen::Vector3d& q) {
   const Eigen::Vector3d from_start = q - cone.start;
   const double along = cone.direction.dot(from_start);
   const double across = std::sqrt(std::max(0.0, from_start.squaredNorm() - along * along));
-  const double t = std::clamp(along - across * cone.slide, cone.first, cone.last);
+  const double t = std::clamp(along - across * cone.half_angle_tangent, cone.first, cone.last);
   return {from_start - t * cone.direction, cone.radius - t * cone.taper};
 }
 
@@ -59,7 +59,7 @@ RoundCone round_cone(const Eigen::Vector3d& start, double start_radius, const Ei
   // If one end's ball contains the other's, the cone is that ball.
   if (cone.taper >= 1) cone.last = 0;
   if (cone.taper <= -1) cone.first = length;
-  if (std::abs(cone.taper) < 1) cone.slide = cone.taper / std::sqrt(1 - cone.taper * cone.taper);
+  if (std::abs(cone.taper) < 1) cone.half_angle_tangent = cone.taper / std::sqrt(1 - cone.taper * cone.taper);
   return cone;
 }
 

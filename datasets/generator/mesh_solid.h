@@ -11,8 +11,8 @@ namespace shapegauge {
 
 /// Mesh of a rigid object with a part label per triangle.
 struct SolidMesh {
-  Shape mesh;
-  Eigen::VectorXi labels;  ///< part label of each triangle
+  Shape mesh;              ///< surface of the object
+  Eigen::VectorXi labels;  ///< part label of each triangle (SolidPart::label)
 };
 
 /// Meshes an object with about `faces` triangles (within a fifth): marching tetrahedra (Doi and Koide 1991) on a grid

@@ -10,11 +10,11 @@
 
 namespace shapegauge {
 
-/// Class of rigid objects: hollow, flat, turned or composed of pieces, unlike articulated bodies.
+/// Class of rigid objects: hollow, flat, lathed or composed of pieces, unlike articulated bodies.
 struct ObjectClass {
-  std::string name;
-  std::vector<std::string> parts;  ///< name of the part of each label; an object may lack some parts
-  SolidObject (*draw)(RandomNumbers& random);
+  std::string name;                            ///< name of the class, such as "chair"
+  std::vector<std::string> parts;              ///< names of the parts, indexed by label; an object may lack some parts
+  SolidObject (*draw)(RandomNumbers& random);  ///< draws a random object of the class
 };
 
 /// Returns the classes of rigid objects. The most distinct classes come first.

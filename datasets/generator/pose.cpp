@@ -154,7 +154,7 @@ std::vector<RigidMotion> draw_pose(const Skeleton& skeleton, const BoneTree& tre
   return motions;
 }
 
-Points skinned(const Points& points, const Eigen::MatrixXd& weights, const std::vector<RigidMotion>& motions) {
+Points skin_points(const Points& points, const Eigen::MatrixXd& weights, const std::vector<RigidMotion>& motions) {
   // The dual part of a motion's quaternion is half of translation times rotation.
   const auto bones = static_cast<Eigen::Index>(motions.size());
   Eigen::Matrix<double, Eigen::Dynamic, 8> motion_rows(bones, 8);

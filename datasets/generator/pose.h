@@ -22,8 +22,8 @@ Eigen::VectorXi limb_labels(const Shape& mesh, const Eigen::MatrixXd& weights, c
 
 /// Rigid motion x -> rotation x + translation.
 struct RigidMotion {
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< rotation as a unit quaternion
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();         ///< translation after the rotation
 };
 
 /// Draws random joint angles within their limits, scaled by `amplitude` (0: the rest pose, 1: the full range). Returns
@@ -32,17 +32,18 @@ std::vector<RigidMotion> draw_pose(const Skeleton& skeleton, const BoneTree& tre
                                    RandomNumbers& random);
 
 /// Deforms points with their bones by dual quaternion blending (Kavan et al., "Geometric skinning with approximate dual
-/// quaternion blending", 2008), which avoids collapsing joints. `weights` has one row per point, one column per bone.
-Points skinned(const Points& points, const Eigen::MatrixXd& weights, const std::vector<RigidMotion>& motions);
+/// quaternion blending", 2008), which avoids collapsing joints. `weights` has one row per point, one column per bone;
+/// `motions` one entry per bone.
+Points skin_points(const Points& points, const Eigen::MatrixXd& weights, const std::vector<RigidMotion>& motions);
 
 /// Points and bones of a body in the rest pose.
 struct RestPose {
-  Points points;
-  BoneTree tree;
+  Points points;  ///< vertices of the surface
+  BoneTree tree;  ///< bones of the skeleton
 };
 
-/// Draws an individual of a class: every kind of limb gets a random length and girth within a few percent of the
-/// class's, the same for all limbs of the kind. `weights` are the class's skinning weights.
+/// Draws an individual of a class: scales the length and the girth of every kind of limb by random factors from 0.93 to
+/// 1.07, the same for all limbs of the kind. `weights` are the class's skinning weights.
 RestPose draw_individual(const Skeleton& skeleton, const RestPose& rest, const Eigen::MatrixXd& weights,
                          RandomNumbers& random);
 

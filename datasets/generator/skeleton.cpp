@@ -123,7 +123,7 @@ Limb turned(const Limb& limb, double degrees, const std::string& side) {
   return result;
 }
 
-BoneTree bones_of(const Skeleton& skeleton) {
+BoneTree bone_tree_of(const Skeleton& skeleton) {
   BoneTree tree;
   for (std::size_t i = 0; i < skeleton.limbs.size(); ++i) {
     const Limb& limb = skeleton.limbs[i];

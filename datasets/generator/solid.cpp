@@ -124,7 +124,7 @@ Solid transformed_solid(const Solid& solid, const Eigen::Isometry3d& motion) {
   return result;
 }
 
-Solid turned_about_z(const Solid& solid, double degrees) {
+Solid rotated_about_z(const Solid& solid, double degrees) {
   const double radians = degrees * std::numbers::pi / 180;
   return transformed_solid(solid, Eigen::Isometry3d(Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitZ())));
 }

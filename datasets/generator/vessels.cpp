@@ -76,7 +76,7 @@ void add_handles(const Handles& handles, const Outline& outline, int first_label
     const Solid handle =
         ear({radius_at(outline, handles.upper), 0, handles.upper},
             {radius_at(outline, handles.lower), 0, handles.lower}, handles.reach, handles.radius, draw);
-    object.parts.push_back({first_label + i, turned_about_z(difference(handle, filled), 180 * i)});
+    object.parts.push_back({first_label + i, rotated_about_z(difference(handle, filled), 180 * i)});
   }
 }
 
@@ -168,7 +168,7 @@ SolidObject draw_teapot(RandomNumbers& random) {
   const double thin = draw(0.05, 0.08);
   const double reach = draw(0.25, 0.45);
   const Solid handle = ear({radius_at(outline, high), 0, high}, {radius_at(outline, low), 0, low}, reach, thin, draw);
-  object.parts.push_back({2, turned_about_z(difference(handle, revolved(outline, 0)), 180)});
+  object.parts.push_back({2, rotated_about_z(difference(handle, revolved(outline, 0)), 180)});
   const double knob = draw(0.08, 0.14);
   object.parts.push_back({3, revolved({{0.4 * knob, height},
                                        {0.4 * knob, height + knob},

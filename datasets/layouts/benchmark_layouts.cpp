@@ -123,7 +123,7 @@ bool looks_like_named(const fs::path& root) {
 // Returns true for a link to a folder of the tree, which is visited under its own name.
 bool is_link_into(const fs::path& root, const fs::path& path) {
   std::error_code ignored;
-  if (!fs::is_symlink(path, ignored) || leads_nowhere(path)) return false;
+  if (!fs::is_symlink(path, ignored) || is_broken_link(path)) return false;
   const fs::path target = canonical_or_same(path).lexically_relative(root);
   return std::ranges::none_of(target, [](const fs::path& part) { return part.string().starts_with('.'); });
 }
@@ -185,7 +185,7 @@ fs::path shapenet_file(const fs::path& root, const std::string& split, const std
 Dataset find_shapenet_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
   const std::vector<CsvRow> rows = parse_word_table(read_file_bytes(location.classification), source);
-  if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
+  if (rows.empty()) throw InputError(fmt::format("{}: the file lists no models", source));
   const std::size_t id = shapenet_column(rows[0], "id", source);
   const std::size_t synset = shapenet_column(rows[0], "synsetId", source);
   const auto subclass = find_column(rows[0], std::array<std::string_view, 1>{"subsynsetid"});

@@ -32,7 +32,8 @@ int label_of_class(const std::string& name, Dataset& dataset) {
 
 void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
   if (!ids.insert(model.id).second) {
-    throw InputError(fmt::format("{}: another file is also model {}; keep one", model.file.string(), model.id));
+    throw InputError(
+        fmt::format("{}: another file has the same model id, {}; keep one", model.file.string(), model.id));
   }
   dataset.models.push_back(std::move(model));
 }
@@ -53,7 +54,7 @@ bool is_readable_folder(const fs::path& path) {
   return !failure;
 }
 
-bool leads_nowhere(const fs::path& path) {
+bool is_broken_link(const fs::path& path) {
   std::error_code ignored;
   return fs::is_symlink(path, ignored) && !fs::exists(path, ignored);
 }
@@ -122,7 +123,7 @@ std::vector<fs::path> model_files(const fs::path& folder) { return visible_entri
 
 std::vector<fs::path> subfolders(const fs::path& folder) {
   return visible_entries(folder, [](const fs::path& path) {
-    return is_folder(path) || (leads_nowhere(path) && path.extension().empty());
+    return is_folder(path) || (is_broken_link(path) && path.extension().empty());
   });
 }
 

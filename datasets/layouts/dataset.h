@@ -15,16 +15,16 @@ struct DatasetLocation {
   std::string layout;                    ///< name of the layout, one of dataset_layouts()
   std::filesystem::path root;            ///< folder of the data set
   std::filesystem::path classification;  ///< file that defines the classes (.cla or table); empty for none
-  std::string split = "all";             ///< one of dataset_splits; used by layouts with splits
+  std::string split = "all";             ///< subset of the models, one of dataset_splits; used by layouts with splits
 };
 
 /// Model of a data set: its id, shape file and class.
 struct Model {
-  std::string id;
+  std::string id;              ///< id, unique in the data set
   std::filesystem::path file;  ///< path of the shape file; check_models() reports missing files
   int label = 0;               ///< class of the model, as an index into Dataset::classes
   std::string subclass = {};   ///< name of the subclass, for graded measures; empty for none
-  std::string fault = {};      ///< reason for a missing shape, reported by check_models(); empty for none
+  std::string fault = {};      ///< reason why `file` is not a shape, reported by check_models(); empty for none
 };
 
 /// Numbers of folder entries that the search for shapes skipped; hidden entries are not counted.
@@ -39,7 +39,7 @@ std::string skipped_text(const SkippedEntries& skipped);
 
 /// Models of a data set, in natural order of ids, and the names of their classes.
 struct Dataset {
-  std::vector<Model> models;
+  std::vector<Model> models;         ///< models in natural order of ids
   std::vector<std::string> classes;  ///< names of the classes, indexed by Model::label
   SkippedEntries skipped = {};       ///< skipped entries, counted only for layouts without a classification file
 };
@@ -61,7 +61,7 @@ bool is_folder(const std::filesystem::path& path);
 bool is_readable_folder(const std::filesystem::path& path);
 
 /// Returns true for a broken or cyclic symbolic link.
-bool leads_nowhere(const std::filesystem::path& path);
+bool is_broken_link(const std::filesystem::path& path);
 
 /// Returns true for a symbolic link that leads back to itself.
 bool is_cyclic_link(const std::filesystem::path& path);
@@ -74,7 +74,7 @@ std::filesystem::path canonical_or_same(const std::filesystem::path& path);
 std::vector<std::filesystem::path> visible_entries(const std::filesystem::path& folder,
                                                    const std::function<bool(const std::filesystem::path&)>& wanted);
 
-/// Counts the entries that are not models in the folder `root` and in its subfolders that contain models.
+/// Counts the entries that are not files of `models`, in the folder `root` and in its subfolders that contain models.
 SkippedEntries skipped_entries(const std::filesystem::path& root, const std::vector<Model>& models);
 
 /// Returns the entries of a folder that are named like shape files, in natural order. Includes unreadable files, which
@@ -86,7 +86,7 @@ std::vector<std::filesystem::path> model_files(const std::filesystem::path& fold
 std::vector<std::filesystem::path> subfolders(const std::filesystem::path& folder);
 
 /// Returns the canonical paths of the root of a data set and of its parent folders: the initial value of `visited` in
-/// unvisited().
+/// unvisited(), which prevents endless walks through links.
 std::set<std::filesystem::path> visited_at_root(const std::filesystem::path& root);
 
 /// Returns the folders whose canonical paths are not in `visited`, and adds their canonical paths to `visited`. If a

@@ -32,9 +32,9 @@ class Collector {
     const auto [known, added] = ids_.emplace(keys_.of(id), id);
     if (!added && known->second == id) throw InputError(fmt::format("{}: repeated model {}", where, quoted_word(id)));
     if (!added) {
-      throw InputError(
-          fmt::format("{}: model {} counts as {}: extensions of shapes, and T before a number, are ignored", where,
-                      quoted_word(id), quoted_word(known->second)));
+      throw InputError(fmt::format(
+          "{}: model {} is the same as {}: extensions of shapes, and T before a number, are ignored; remove one", where,
+          quoted_word(id), quoted_word(known->second)));
     }
     const auto [position, is_new] = positions_.emplace(class_name, classes_.classes.size());
     if (is_new) classes_.classes.push_back({.name = class_name, .parent = std::nullopt, .models = {}});
@@ -295,7 +295,7 @@ Classification at_level(const Classification& classification, std::size_t level,
   const bool hierarchy =
       std::ranges::any_of(classification.classes, [](const ModelClass& known) { return known.parent.has_value(); });
   if (!hierarchy) {
-    throw InputError(fmt::format("{}: no level {}, because no class has a parent", source, level));
+    throw InputError(fmt::format("{}: no level {}, because no class has a parent; omit `level`", source, level));
   }
   Collector collector(source);
   for (std::size_t i = 0; i < classification.classes.size(); ++i) {

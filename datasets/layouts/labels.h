@@ -18,12 +18,12 @@ namespace shapegauge {
 /// Classes of models, and the roles of models as queries and targets.
 struct ModelLabels {
   Classification classification;                              ///< classes of all models
-  std::vector<std::string> queries;                           ///< ids of the queries, as in the classification
-  std::vector<std::string> targets;                           ///< ids of the targets, as in the classification
+  std::vector<std::string> queries;                           ///< ids of the queries, spelled as in the classification
+  std::vector<std::string> targets;                           ///< ids of the targets, spelled as in the classification
   std::vector<std::string> models;                            ///< ids of all models, in the order of the file
-  std::unordered_map<std::string, std::string> subclasses{};  ///< subclass by model key (ModelKeys); may lack models
+  std::unordered_map<std::string, std::string> subclasses{};  ///< subclass per model key (ModelKeys), if it has one
   bool separate_sets = false;                                 ///< true if some models are only queries or only targets
-  bool split = false;        ///< true if a column `split` says which models are queries or targets
+  bool split = false;        ///< true if a column `split` makes some models only queries or only targets
   bool listed = false;       ///< true if the file lists models one by one, not grouped by class
   bool without_ids = false;  ///< true if the file has no ids: models are named 0, 1, ... in order
   std::string source;        ///< name of the file, which prefixes error messages
@@ -59,6 +59,7 @@ struct TaskLabels {
   ModelLabels queries;                   ///< labels of the queries; labels of all models if there is one set
   std::optional<ModelLabels> targets{};  ///< labels of the targets; absent if there is one set
 
+  /// Returns the labels of the targets.
   [[nodiscard]] const ModelLabels& of_targets() const { return targets ? *targets : queries; }
 };
 

@@ -97,7 +97,7 @@ ClassFiles class_files(const fs::path& folder, const std::string& split, std::se
   ClassFiles found;
   if (split == "all" || !is_readable_folder(folder)) found.files = models_or_itself(folder);
   for (const char* part : {"test", "train"}) {
-    const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
+    const bool there = is_folder(folder / part) || is_broken_link(folder / part);
     if (!there || (split != "all" && split != part)) continue;
     if (!visited.insert(canonical_or_same(folder / part)).second) {
       found.repeated.push_back(folder / part);

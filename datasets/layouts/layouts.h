@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 4> dataset_splits{"all", "train", 
 
 /// Registry entry of a layout, which defines where a data set's folder has its models and their classes.
 struct DatasetLayout {
-  std::string_view name;
+  std::string_view name;           ///< name of the layout in options, such as "folders"
   std::string_view description{};  ///< short phrase that names the files and what defines the classes
   Dataset (*find)(const DatasetLocation&) = nullptr;  ///< finds the data set at a location; required
   std::string_view usual_classification{};            ///< name of the default classification file; empty for none
@@ -45,7 +45,7 @@ DatasetLocation recognise_dataset(const std::filesystem::path& root, const std::
 /// Error message about a model without a usable shape file.
 struct ModelFailure {
   std::size_t model = 0;  ///< index of the model in Dataset::models
-  std::string message;
+  std::string message;    ///< reason, with the path of the file
 };
 
 /// Checks that the file of every model exists and begins like a shape. Returns the failures in the order of the models.

@@ -40,18 +40,18 @@ namespace fs = std::filesystem;
 
 Cache::Cache(fs::path folder, bool recompute) : folder_(std::move(folder)), recompute_(recompute) {}
 
-Cache::Turn::Turn(Cache& cache, std::string key) : cache_(&cache), key_(std::move(key)) {
+Cache::KeyLock::KeyLock(Cache& cache, std::string key) : cache_(&cache), key_(std::move(key)) {
   std::unique_lock lock(cache.mutex_);
-  cache.turn_ended_.wait(lock, [&] { return !cache.keys_in_work_.contains(key_); });
-  cache.keys_in_work_.insert(key_);
+  cache.key_unlocked_.wait(lock, [&] { return !cache.keys_in_progress_.contains(key_); });
+  cache.keys_in_progress_.insert(key_);
 }
 
-Cache::Turn::~Turn() {
+Cache::KeyLock::~KeyLock() {
   {
     const std::scoped_lock lock(cache_->mutex_);
-    cache_->keys_in_work_.erase(key_);
+    cache_->keys_in_progress_.erase(key_);
   }
-  cache_->turn_ended_.notify_all();
+  cache_->key_unlocked_.notify_all();
 }
 
 std::optional<std::string> Cache::read(EntryKind kind, const std::string& key) {

@@ -36,38 +36,39 @@ std::uintmax_t cache_limit();
 /// anything else; `name` is the name of the setting in the message.
 std::uintmax_t parse_size(std::string_view text, std::string_view name);
 
-/// Returns the file of an entry in a cache folder: `AB/CDEF.kind` for the key ABCDEF.
+/// Returns the path of the file of a cache entry: `AB/CDEF.kind` in the cache folder for the key ABCDEF.
 std::filesystem::path entry_path(const std::filesystem::path& cache, EntryKind kind, const std::string& key);
 
-/// File written by a cache: an entry, or an unfinished one.
+/// File in a cache folder: a cache entry, or one that is not completely written.
 struct CacheFile {
-  std::filesystem::path path;
+  std::filesystem::path path;     ///< path of the file
   std::optional<EntryKind> kind;  ///< kind of the entry; none while it is being written or if that was interrupted
-  std::uintmax_t bytes = 0;
-  std::filesystem::file_time_type last_used;
+  std::uintmax_t bytes = 0;       ///< size of the file in bytes
+  std::filesystem::file_time_type last_used;  ///< time when the entry was last written or read
 };
 
 /// Lists the files in the folder that caches have written. Empty if the folder does not exist. Throws InputError if it
 /// cannot be read.
 std::vector<CacheFile> cache_files(const std::filesystem::path& cache);
 
-/// Numbers of entries of a cache and their sizes in bytes, by kind of entry.
+/// Numbers of cache entries and their sizes in bytes, per kind of entry (EntryKind).
 struct CacheContents {
+  /// Number of files of a cache and their total size.
   struct Amount {
-    std::size_t entries = 0;
-    std::uintmax_t bytes = 0;
+    std::size_t entries = 0;   ///< number of files, one per cache entry
+    std::uintmax_t bytes = 0;  ///< total size of the files in bytes
   };
-  std::array<Amount, number_of_entry_kinds> by_kind;
-  Amount unfinished;  ///< files being written, or left by killed runs
+  std::array<Amount, number_of_entry_kinds> by_kind;  ///< number and size of the entries of each EntryKind
+  Amount unfinished;                                  ///< files being written, or left by killed runs
 
-  [[nodiscard]] Amount total() const;
+  [[nodiscard]] Amount total() const;  ///< sum over all kinds of entries and unfinished files
 };
 
 /// Returns the numbers and sizes of the entries in a cache folder, by kind. Throws InputError as cache_files() does.
 CacheContents cache_contents(const std::filesystem::path& cache);
 
 /// Removes all files that caches have written, except those that a run may be writing, and the folder if it is then
-/// empty. Returns what was removed. Throws InputError if a file cannot be removed.
+/// empty. Returns the numbers and sizes of the removed files. Throws InputError if a file cannot be removed.
 CacheContents clear_cache(const std::filesystem::path& cache);
 
 /// Removes unfinished files of killed runs, then the least recently used entries until the cache has at most `limit`

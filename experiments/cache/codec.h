@@ -32,22 +32,26 @@ namespace codec {
 template <typename Value>
 concept Plain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
+/// True for types of dense Eigen matrices and vectors.
 template <typename Value>
 inline constexpr bool is_matrix = false;
 template <typename Number, int rows, int columns, int options>
 inline constexpr bool is_matrix<Eigen::Matrix<Number, rows, columns, options>> = true;
 
+/// Types of dense Eigen matrices and vectors.
 template <typename Value>
 concept Matrix = is_matrix<Value>;
 
+/// Types with a function members(), which returns references to all members (core/base/members.h).
 template <typename Value>
 concept Structure = requires(Value& value) {
   members(value);
 };
 
-/// Serialises values to a string of bytes.
+/// Serialises values to a string of bytes. Each add() appends one value; containers are preceded by their size.
 class Encoder {
  public:
+  /// Appends `count` bytes from the address `begin`.
   void add_bytes(const void* begin, std::size_t count) {
     if (count > 0) bytes_.append(static_cast<const char*>(begin), count);
   }
@@ -92,18 +96,21 @@ class Encoder {
     // members() serves both directions; nothing is changed here.
     std::apply([&](const auto&... member) { (add(member), ...); }, members(const_cast<Value&>(value)));
   }
+  /// Moves the encoded bytes out of the encoder.
   std::string bytes() && { return std::move(bytes_); }
 
  private:
-  std::string bytes_;
+  std::string bytes_;  ///< bytes of the values added so far
 };
 
-/// Reads values from bytes in the order in which an Encoder added them. Throws DamagedBytes if the bytes do not
-/// suffice.
+/// Reads values from bytes in the order in which an Encoder added them. Each take() reads one value into its argument
+/// and throws DamagedBytes if too few bytes are left.
 class Decoder {
  public:
+  /// Reads from `bytes`, which must outlive the decoder.
   explicit Decoder(std::string_view bytes) : rest_(bytes) {}
 
+  /// Copies the next `count` bytes to the address `to`.
   void take_bytes(void* to, std::size_t count) {
     if (count > rest_.size()) throw DamagedBytes();
     if (count > 0) std::memcpy(to, rest_.data(), count);
@@ -154,24 +161,26 @@ class Decoder {
   void take(Value& value) {
     std::apply([&](auto&... member) { (take(member), ...); }, members(value));
   }
+  /// Returns true if all bytes have been read.
   [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
 
  private:
+  /// Reads and returns one number.
   template <Plain Number>
   Number take_number() {
     Number number{};
     take(number);
     return number;
   }
-  /// Reads the number of items that follow. Throws DamagedBytes if the rest is too short for them, at `bytes` or more
-  /// per item.
+  /// Reads the number of elements of the container that follows. Throws DamagedBytes if the unread bytes are too few
+  /// for that many elements of at least `bytes` bytes each.
   std::size_t take_count(std::size_t bytes) {
     const auto count = take_number<std::size_t>();
     if (count > rest_.size() / bytes) throw DamagedBytes();
     return count;
   }
 
-  std::string_view rest_;
+  std::string_view rest_;  ///< bytes not yet read
 };
 
 }  // namespace codec

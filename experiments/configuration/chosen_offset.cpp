@@ -60,18 +60,18 @@ std::string reasons_for_offset(const ChosenOffset& chosen) {
   const auto& [offset, gap, widest_gap, noise, sufficient] = *chosen.automatic;
   std::vector<std::string> reasons;
   if (gap > offset) {
-    reasons.push_back(fmt::format("closing the gaps would take {:.4g}", gap));
+    reasons.push_back(fmt::format("closing the gaps would take {:.4g} %", 100 * gap));
   } else if (gap > 0) {
-    reasons.push_back(fmt::format("{:.4g} closes the {}gaps", gap,
+    reasons.push_back(fmt::format("{:.4g} % closes the {}gaps", 100 * gap,
                                   offset_per_gap * widest_gap > largest_automatic_offset ? "narrower " : ""));
   }
   if (noise > offset) {
-    reasons.push_back(fmt::format("smoothing the noise would take {:.4g}", noise));
+    reasons.push_back(fmt::format("smoothing the noise would take {:.4g} %", 100 * noise));
   } else if (noise > 0) {
-    reasons.push_back(fmt::format("{:.4g} smooths the noise", noise));
+    reasons.push_back(fmt::format("{:.4g} % smooths the noise", 100 * noise));
   }
-  if (!reasons.empty()) return fmt::format("fractions of the diagonal: {}", fmt::join(reasons, ", "));
-  return widest_gap > 0 ? "no noise, and no gap that it could close" : "no gaps or noise found";
+  if (!reasons.empty()) return fmt::format("{}", fmt::join(reasons, ", "));
+  return widest_gap > 0 ? "no noise, and gaps too wide to close" : "no gaps or noise found";
 }
 
 std::optional<std::string> leak_warning(const ChosenOffset& chosen) {

@@ -13,23 +13,23 @@ namespace shapegauge {
 /// Offset distance r of the offset surface of a shape, fixed or chosen for the shape. Lengths are fractions of the
 /// bounding-box diagonal.
 struct ChosenOffset {
-  double offset = 0;                         ///< offset distance r, a fraction of the bounding-box diagonal
-  double gap = 0;                            ///< radius of the widest gap (gap_sizes()), a fraction of the diagonal
+  double offset = 0;  ///< offset distance r, a fraction of the bounding-box diagonal
+  double gap = 0;     ///< radius of the widest gap (gap_sizes()), a fraction of the diagonal; 0 if none
   std::optional<AutomaticOffset> automatic;  ///< result of automatic_offset(); none for a fixed offset
 };
 
 /// Makes a ChosenOffset from the result of automatic_offset().
 ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
 
-/// Returns the offset `given`, or automatic_offset() if it is absent, with the widest gap of the shape. Throws
-/// InputError for a shape without extent.
+/// Returns the fixed offset `given`, or automatic_offset() if `given` is absent, with the widest gap of the shape.
+/// Throws InputError for a shape without extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
 /// Returns the offset in the settings of a field, a fraction of the diagonal; nothing for a field without offset, or
 /// one that chooses it for each shape ("auto").
 std::optional<double> fixed_offset(const FieldSettings& field);
 
-/// Returns the offset that a field uses on the shape of `source`; nothing for a field without offset.
+/// Returns the offset of the offset surface that a field uses on the shape of `source`; nothing if the field has none.
 std::optional<ChosenOffset> offset_of(const FieldSettings& field, FieldSource& source);
 
 /// Describes the gaps and noise that determined an automatic offset; returns an empty string for a fixed offset.
@@ -39,8 +39,8 @@ std::string reasons_for_offset(const ChosenOffset& chosen);
 /// into the shape; otherwise nothing.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen);
 
-/// Returns a remark on a hollow shape (closed_components()): values measure its outer hull, as those of the offset SDF
-/// do (`measures_hull`), or the thickness of its wall. Returns nothing for other shapes.
+/// Returns a remark on a hollow shape (closed_components()): whether values are the thickness of its outer hull (with
+/// `measures_hull`, as for the offset SDF) or of its wall. Returns nothing for other shapes.
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull);
 
 }  // namespace shapegauge

@@ -100,7 +100,7 @@ const Field* pictured_field(const SignatureConfiguration& signature) {
   return nullptr;
 }
 
-std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
+std::optional<std::size_t> find_cyclic_signature(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<std::size_t> order;
   std::vector<Visit> visits(signatures.size(), Visit::not_yet);
   for (std::size_t i = 0; i < signatures.size(); ++i) {

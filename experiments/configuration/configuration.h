@@ -26,28 +26,28 @@
 
 namespace shapegauge {
 
-/// Source of the range of a histogram (docs/reference/definitions.md#histograms).
+/// Range of a histogram: from the smallest to the largest value on each shape or in the data set, or a fixed interval.
 enum class HistogramRange { per_shape, dataset, fixed };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<HistogramRange>{"per-shape", "dataset", "fixed"};
 
-/// Options of the histogram of a field: its bins and the source of its range.
+/// Options of the histogram of a field: its bins and its range.
 struct HistogramConfiguration {
-  HistogramOptions options;
-  HistogramRange range = HistogramRange::per_shape;
-  Interval fixed;  ///< range with HistogramRange::fixed, in lengths of a shape of unit area
+  HistogramOptions options;                          ///< number of bins and other options
+  HistogramRange range = HistogramRange::per_shape;  ///< how the range of the bins is chosen
+  Interval fixed;  ///< range of the bins for HistogramRange::fixed, in units of a shape of area 1
 };
 
 /// Settings of a signature: the histogram of a field, the features of a descriptor, distances derived from those of
 /// other signatures, or, with none of these, a concatenation of signatures.
 struct SignatureConfiguration {
-  std::string name;
+  std::string name;                            ///< unique name of the signature
   std::optional<Field> field;                  ///< field of the histogram; none for other kinds of signatures
   HistogramConfiguration histogram;            ///< settings of the histogram; ignored without a field
   std::optional<DescriptorChoice> descriptor;  ///< descriptor that computes the features; none for other kinds
   std::optional<DerivedDistances> derived;     ///< settings of derived distances; none for other kinds
   std::vector<std::size_t>
-      parts;  ///< indices of the signatures to concatenate or derive from; computation_order() has them earlier
+      parts;  ///< indices in Configuration::signatures of those concatenated or combined; empty for other kinds
 };
 
 /// Handling of models that cannot be used: stop the run, or skip them.
@@ -66,34 +66,34 @@ struct PictureOptions {
 
 /// Options of the HTML report of a run.
 struct ReportConfiguration {
-  bool wanted = true;                  ///< the run writes a report
-  bool pictures = true;                ///< pictures of the models; requires a field to colour them
-  std::size_t pictured_signature = 0;  ///< index of the signature whose pictured_field() colours the models
-  PictureOptions picture_options;
-  bool views = true;              ///< interactive 3D views of the models; requires pictures
-  UpAxis up = UpAxis::automatic;  ///< vertical axis in pictures and views
+  bool wanted = true;    ///< true to write a report
+  bool pictures = true;  ///< true to show pictures of the models, coloured by a field; false if no signature has one
+  std::size_t pictured_signature = 0;  ///< index in Configuration::signatures; its pictured_field() colours models
+  PictureOptions picture_options;      ///< colour range and size of the pictures
+  bool views = true;                   ///< true to show interactive 3D views of the models; only with pictures
+  UpAxis up = UpAxis::automatic;       ///< vertical axis in pictures and views
 };
 
 /// Settings common to retrieval experiments, shape comparisons and segmentation experiments.
 struct ExperimentSettings {
-  std::string name;
-  std::string description;
-  std::uint64_t seed = 1;          ///< seed of the perturbations
-  PreparationOptions preparation;  ///< preparation of every shape, after the perturbations
-  OnError on_error = OnError::stop;
+  std::string name;                  ///< name of the experiment
+  std::string description;           ///< description for reports; may be empty
+  std::uint64_t seed = 1;            ///< seed of the random numbers of perturbations
+  PreparationOptions preparation;    ///< preparation of every shape, after the perturbations
+  OnError on_error = OnError::stop;  ///< handling of shapes that cannot be used
 };
 
 /// Validated configuration of a retrieval experiment, complete with all defaults.
 struct Configuration : ExperimentSettings {
-  std::optional<DatasetLocation> location;    ///< data set on disk; none for a generated one
-  std::optional<GeneratorOptions> generator;  ///< options of a generated data set; none for one on disk
-  std::vector<Perturbation> perturbations;    ///< steps applied to every model after reading
-  std::vector<Protocol> protocols{Protocol::psb};
-  EvaluationOptions evaluation;  ///< measures and other options, used under each protocol
-  std::vector<SignatureConfiguration> signatures;
-  std::string distance = "l1";  ///< name of the distance between signatures, in distances()
-  bool keep_distances = true;   ///< write distance matrices to the result files
-  ReportConfiguration report;
+  std::optional<DatasetLocation> location;         ///< data set on disk; none for a generated one
+  std::optional<GeneratorOptions> generator;       ///< options of a generated data set; none for one on disk
+  std::vector<Perturbation> perturbations;         ///< perturbation steps applied to every model after reading
+  std::vector<Protocol> protocols{Protocol::psb};  ///< evaluation protocols; scores are computed under each
+  EvaluationOptions evaluation;                    ///< measures and other options, used under each protocol
+  std::vector<SignatureConfiguration> signatures;  ///< signatures to compute, compare and evaluate
+  std::string distance = "l1";                     ///< name in distances() of the distance between signatures
+  bool keep_distances = true;                      ///< true to write each distance matrix as a result file
+  ReportConfiguration report;                      ///< options of the HTML report
 };
 
 /// Return the parameters of sections of a configuration: its root ("seed", "on_error"), the "histogram" of a signature,
@@ -109,11 +109,12 @@ std::span<const Parameter> preparation_parameters();
 /// Null if the signature has none.
 const Field* pictured_field(const SignatureConfiguration& signature);
 
-/// Returns the index of a signature that depends on itself, directly or indirectly, if there is one.
-std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures);
+/// Returns the index of a signature that is computed from itself, directly or through other signatures; nothing if
+/// dependencies are acyclic.
+std::optional<std::size_t> find_cyclic_signature(const std::vector<SignatureConfiguration>& signatures);
 
-/// Returns the signatures' indices in topological order: parts before the signatures made from them. Dependencies must
-/// be acyclic.
+/// Returns the signatures' indices in topological order: each signature after those that it is computed from
+/// (SignatureConfiguration::parts). Dependencies must be acyclic.
 std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
 
 /// Formats a histogram's settings as a signature's "histogram", with all defaults.

@@ -35,7 +35,7 @@ nlohmann::json dataset_in_file(const fs::path& path) {
 std::vector<fs::path> read_dataset_files(nlohmann::json& document, const std::string& source, const fs::path& folder,
                                          const std::vector<std::string>& datasets) {
   std::vector<fs::path> files;
-  for (const nlohmann::json::json_pointer& place : matching_places(document, datasets)) {
+  for (const nlohmann::json::json_pointer& place : matching_pointers(document, datasets)) {
     nlohmann::json& dataset = document.at(place);
     if (!dataset.is_string()) continue;
     try {

@@ -54,7 +54,7 @@ std::span<const Parameter> sum_term_parameters() {
   static const std::array parameters{Parameter{.name = "weight",
                                                .default_value = 1.0,
                                                .bounds = {.low = 0, .high = 1e6},
-                                               .description = "Factor of its distances."}};
+                                               .description = "Factor of the signature's distances in the sum."}};
   return parameters;
 }
 

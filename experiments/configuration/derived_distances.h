@@ -17,34 +17,34 @@ namespace shapegauge {
 
 /// Settings of a signature "sum": the weighted sum of the distance matrices of other signatures.
 struct SumSettings {
-  std::vector<double> weights;  ///< weight of each term, at least 0
-  SumOptions options = {};      ///< normalisation and unsupervised weighting of the terms
+  std::vector<double> weights;  ///< weight of each distance matrix in the sum, at least 0
+  SumOptions options = {};      ///< normalisation and unsupervised weighting of the matrices
 };
 
 /// Settings of a signature "rerank": the re-ranked distance matrix of another signature.
 struct RerankSettings {
-  const RerankMethod* method;  ///< entry of rerank_methods(), not null
-  ParameterValues values;      ///< values of RerankMethod::parameters
+  const RerankMethod* method;  ///< re-ranking method, one of rerank_methods(); never null
+  ParameterValues values;      ///< values of the method's parameters (RerankMethod::parameters)
 };
 
 /// Distance matrix derived from those of other signatures: their weighted sum, the fusion of their ranks, or the
 /// re-ranking of one of them.
 struct DerivedDistances {
   std::vector<std::string> names;  ///< names of the signatures whose distances are summed, fused or re-ranked
-  std::variant<SumSettings, RankFusionOptions, RerankSettings> settings;
+  std::variant<SumSettings, RankFusionOptions, RerankSettings> settings;  ///< settings of the sum, fusion or re-ranking
 };
 
 /// Returns the keys that mark a signature of a configuration as derived from others: "sum", "fuse_ranks", "rerank".
 std::span<const std::string_view> derived_keys();
 
-/// Returns the parameters of a derived signature next to its key: "scale" and "weights" with "sum", "score" with
+/// Returns the parameters of signatures with derived distances: "scale" and "weights" of a "sum", "score" of
 /// "fuse_ranks".
 std::span<const Parameter> derived_parameters();
 
 /// Returns the parameters of a term of "sum", apart from the name of its signature ("of").
 std::span<const Parameter> sum_term_parameters();
 
-/// Reads the derived distances of a signature from its settings. `key` is the one of derived_keys() that they have.
+/// Reads the derived distances of a signature from its settings. `key` is the one of derived_keys() in the settings.
 /// Throws ConfigurationError if settings contradict each other.
 DerivedDistances make_derived(const std::string& key, const nlohmann::json& signature);
 

@@ -47,7 +47,7 @@ std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
 
 std::vector<ParameterValues> axes_of(const Json& list, const Descriptor& descriptor, std::size_t fields) {
   if (list.size() > fields || (!list.empty() && descriptor.axis_parameters.empty())) {
-    throw ConfigurationError{"axes", fmt::format("the descriptor {} takes at most {}, not {}", descriptor.name,
+    throw ConfigurationError{"axes", fmt::format("the descriptor {} has at most {} axes, not {}", descriptor.name,
                                                  descriptor.axis_parameters.empty() ? 0 : fields, list.size())};
   }
   std::vector<ParameterValues> axes(fields, ParameterValues(descriptor.axis_parameters));

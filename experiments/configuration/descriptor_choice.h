@@ -12,14 +12,14 @@ namespace shapegauge {
 
 /// Descriptor chosen by a configuration, with its settings and the fields that its features are computed from.
 struct DescriptorChoice {
-  Descriptor descriptor;
+  Descriptor descriptor;      ///< descriptor, one of descriptors()
   DescriptorSettings values;  ///< settings of the descriptor
   std::vector<Field> fields;  ///< fields that the features are computed from, all at the same samples
 };
 
 /// Makes a descriptor from its settings. "type" is its name, "fields" lists its fields, if any, and "axes" the
 /// settings for each field. Throws InputError for a type that is not in descriptors(), and ConfigurationError with the
-/// path for invalid settings: too few or too many fields, fields at different samples.
+/// path of the value for invalid settings: too few or too many fields, fields at different samples.
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
 /// Formats the settings of a descriptor as make_descriptor() reads them, including those of fields and axes, with all
@@ -31,7 +31,7 @@ bool needs_learning(const DescriptorChoice& choice);
 
 /// Values of the fields of a descriptor on one shape, with warnings about them.
 struct DescriptorFields {
-  std::vector<ScalarField> fields;
+  std::vector<ScalarField> fields;  ///< values of each field at its samples
   /// Distinct warnings: samples without a usable value (outcome_warnings()), an offset smaller than the gaps of the
   /// shape (leak_warning()), a hollow shape, whose hull is measured (hollow_remark()).
   std::vector<std::string> warnings;

@@ -34,7 +34,7 @@ std::vector<Place> matching_children(const Json& value, const Place& place, cons
 
 }  // namespace
 
-std::vector<Place> matching_places(const Json& document, const std::vector<std::string>& patterns) {
+std::vector<Place> matching_pointers(const Json& document, const std::vector<std::string>& patterns) {
   std::vector<Place> all;
   for (const std::string& pattern : patterns) {
     std::vector<Place> places{Place()};

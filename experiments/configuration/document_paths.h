@@ -12,14 +12,14 @@ namespace shapegauge {
 /// every index of an array: "/shapes/*/file".
 struct DocumentPaths {
   std::vector<std::string> files = {};     ///< positions of the paths of files and folders
-  std::vector<std::string> datasets = {};  ///< positions of data sets (objects or names of description files)
+  std::vector<std::string> datasets = {};  ///< positions of data sets, each an object or the name of a description file
 };
 
 /// Function that returns the DocumentPaths of a document, which depend on its kind of experiment.
 using PathsOfDocument = std::function<DocumentPaths(const nlohmann::json& document)>;
 
 /// Returns the JSON pointers to all values of the document that match one of the patterns.
-std::vector<nlohmann::json_pointer<std::string>> matching_places(const nlohmann::json& document,
-                                                                 const std::vector<std::string>& patterns);
+std::vector<nlohmann::json_pointer<std::string>> matching_pointers(const nlohmann::json& document,
+                                                                   const std::vector<std::string>& patterns);
 
 }  // namespace shapegauge

@@ -118,7 +118,7 @@ OverrideStep take_step(std::string_view& keys, const std::string& source) {
     if (end == std::string_view::npos) fail(source, "a bracket is not closed");
     step = {keys.substr(begin, end - begin), true};
     keys.remove_prefix(end + begin);
-    if (!keys.empty() && keys.front() != '.' && keys.front() != '[') fail(source, "expected a dot behind the bracket");
+    if (!keys.empty() && keys.front() != '.' && keys.front() != '[') fail(source, "expected a dot after the bracket");
   } else {
     step = {keys.substr(0, keys.find_first_of(".["))};
     keys.remove_prefix(step.text.size());

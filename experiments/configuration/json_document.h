@@ -12,20 +12,21 @@
 
 namespace shapegauge {
 
-/// Error in a configuration, with the path of the faulty value within the section being read. The text is "path:
+/// Error in a configuration, with the path of the faulty value within the section being read. what() returns "path:
 /// message".
 class ConfigurationError : public InputError {
  public:
+  /// `at` is the path of the faulty value; `fault` describes the fault.
   ConfigurationError(std::string_view at, std::string_view fault)
       : InputError(std::string(at).append(": ").append(printable(fault, max_length))),
         path(at),
         message(printable(fault, max_length)) {}
 
-  std::string path;
-  std::string message;
+  std::string path;     ///< path of the faulty value, such as "histogram.bins"
+  std::string message;  ///< description of the fault
 
  private:
-  static constexpr std::size_t max_length = 500;
+  static constexpr std::size_t max_length = 500;  ///< maximum length of messages in characters
 };
 
 /// Calls step(), which reads the value at a key (or index, or dotted path) of a document, and returns its result.
@@ -61,8 +62,8 @@ nlohmann::json read_json(const std::filesystem::path& path);
 /// (the message says to set it), or if a `${` has no `}`.
 std::string expand_variables(std::string_view text);
 
-/// Returns the path stored in an object at `key`: `${NAME}` is expanded (expand_variables()), and a relative path is
-/// relative to `folder`. Throws ConfigurationError for a variable that is not set.
+/// Returns the file path stored in an object at `key`: `${NAME}` is expanded (expand_variables()), and a relative path
+/// is relative to `folder`. Throws ConfigurationError for a variable that is not set.
 std::filesystem::path path_value(const nlohmann::json& object, const std::string& key,
                                  const std::filesystem::path& folder);
 

@@ -20,7 +20,7 @@ ParameterValues read_parameters(std::span<const Parameter> parameters, const nlo
 /// and for an unknown key.
 ParameterValues read_only_parameters(std::span<const Parameter> parameters, const nlohmann::json& settings);
 
-/// Formats parameter values as an object, by name, as read_parameters() reads it.
+/// Formats parameter values as a JSON object with the names as keys, as read_parameters() reads it.
 nlohmann::json to_json(const ParameterValues& values);
 
 /// Reads a struct of options from an object whose keys are the names in `table`, with defaults for missing keys. Throws

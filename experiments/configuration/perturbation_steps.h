@@ -18,14 +18,14 @@ namespace shapegauge {
 
 /// Perturbation step of a configuration, applied to shapes before anything is computed.
 struct Perturbation {
-  const ShapePerturbation* type = nullptr;              ///< an entry of shape_perturbations(); null for "one_of"
-  ParameterValues values;                               ///< values of the parameters of the type
+  const ShapePerturbation* type = nullptr;  ///< type of step, one of shape_perturbations(); null for "one_of"
+  ParameterValues values;                   ///< values of the parameters of `type`; empty for "one_of"
   std::vector<std::vector<Perturbation>> choices = {};  ///< lists of steps of "one_of", one of which is applied
 };
 
 /// Shape of a model after the perturbation steps, with the choices made and warnings.
 struct PerturbedShape {
-  Shape shape;
+  Shape shape;                            ///< perturbed shape
   std::vector<std::size_t> chosen;        ///< per "one_of" step, in order: index of the list of steps that was applied
   std::vector<std::string> remarks = {};  ///< warnings, one per step that achieved less than its settings request
 };
@@ -38,10 +38,10 @@ PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps
 
 /// Describes a type of perturbation step in configurations: its name and parameters.
 struct PerturbationType {
-  std::string_view name;         ///< value of "type" in the settings of a step
-  std::string_view description;  ///< description in one sentence
-  std::span<const Parameter> parameters;
-  bool has_choices = false;  ///< true for "one_of", whose setting "choices" has lists of steps
+  std::string_view name;                  ///< value of "type" in the settings of a step
+  std::string_view description;           ///< description in one sentence
+  std::span<const Parameter> parameters;  ///< parameters of the step
+  bool has_choices = false;               ///< true for "one_of", whose setting "choices" has lists of steps
 };
 
 /// Returns all types of perturbations: the entries of shape_perturbations(), and "one_of", which applies one of several
@@ -55,7 +55,7 @@ std::vector<Perturbation> make_perturbations(const nlohmann::json& list);
 /// Formats the settings of perturbation steps as make_perturbations() reads them, with all defaults.
 nlohmann::json to_json(const std::vector<Perturbation>& steps);
 
-/// Returns the cache version of each type of step, by name, including the steps in the lists of "one_of".
+/// Returns the cache version of each type of perturbation in `steps`, by name, including the lists of "one_of".
 std::map<std::string, int> versions_of(const std::vector<Perturbation>& steps);
 
 }  // namespace shapegauge

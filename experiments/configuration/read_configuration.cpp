@@ -65,9 +65,8 @@ HistogramConfiguration histogram_of(const Json& settings) {
   HistogramConfiguration histogram;
   histogram.options = read_options(histogram_table, settings);
   if (histogram.options.smoothing_bins > histogram.options.bins) {
-    throw ConfigurationError{"smoothing_bins",
-                             fmt::format("the smoothing must not exceed the number of bins ({}), not {}",
-                                         histogram.options.bins, histogram.options.smoothing_bins)};
+    throw ConfigurationError{"smoothing_bins", fmt::format("must be at most the number of bins, {}, not {}",
+                                                           histogram.options.bins, histogram.options.smoothing_bins)};
   }
   const Json& range = settings.at("range");
   if (range.is_string()) {
@@ -161,7 +160,7 @@ void require_histograms(const std::vector<SignatureConfiguration>& signatures) {
       if (!part.descriptor && !part.derived) continue;
       throw ConfigurationError{
           fmt::format("{}.concatenate.{}", i, k),
-          fmt::format("the signature \"{}\" is no histogram of a field; \"sum\" takes it", part.name)};
+          fmt::format("the signature \"{}\" is no histogram of a field; use \"sum\" for it", part.name)};
     }
   }
 }
@@ -244,10 +243,12 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   for (std::size_t i = 0; i < settings.size(); ++i) {
     signatures.push_back(at_key(std::to_string(i), [&] { return signature_of(settings[i], names); }));
   }
-  if (const auto cyclic = part_of_itself(signatures)) {
+  if (const auto cyclic = find_cyclic_signature(signatures)) {
     const auto& derived = signatures[*cyclic].derived;
-    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? key_of(*derived) : "concatenate"),
-                             fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
+    throw ConfigurationError{
+        fmt::format("{}.{}", *cyclic, derived ? key_of(*derived) : "concatenate"),
+        fmt::format("the signature \"{}\" refers to itself, directly or through others; remove one reference",
+                    names[*cyclic])};
   }
   require_histograms(signatures);
   return signatures;
@@ -269,7 +270,7 @@ DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
   const DatasetLayout& layout = dataset_layouts().at(location.layout);
   if (dataset.contains("split")) {
     if (!layout.has_splits) {
-      throw ConfigurationError{"split", fmt::format("the layout \"{}\" has no splits", location.layout)};
+      throw ConfigurationError{"split", fmt::format("the layout \"{}\" has no splits; remove it", location.layout)};
     }
     location.split = dataset.at("split");
   }
@@ -305,8 +306,8 @@ namespace {
 
 /// Returns the positions of paths in a document, all of which hold strings.
 std::vector<Json::json_pointer> places_of_paths(const Json& document, const DocumentPaths& paths) {
-  std::vector<Json::json_pointer> places = matching_places(document, paths.files);
-  for (const Json::json_pointer& dataset : matching_places(document, paths.datasets)) {
+  std::vector<Json::json_pointer> places = matching_pointers(document, paths.files);
+  for (const Json::json_pointer& dataset : matching_pointers(document, paths.datasets)) {
     places.push_back(dataset);
     places.push_back(dataset / "root");
   }

@@ -17,7 +17,7 @@ namespace shapegauge {
 /// Reads the configuration file of a retrieval experiment, applies the overrides (apply_overrides()), and validates
 /// everything that does not depend on the data: the schema, unique names, existing and acyclic parts of `concatenate`,
 /// consistent settings. Paths are relative to the file's folder, with `${VARIABLE}` expanded. Throws InputError with
-/// the file, the path to the value, the fault and the nearest valid word.
+/// the file, the path to the value, the fault and the most similar valid word.
 Configuration read_configuration(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// Reads the configuration file of a retrieval experiment and applies the overrides (apply_overrides()). Returns the
@@ -45,8 +45,8 @@ Configuration configuration_from_json(const nlohmann::json& document, const std:
 /// Read sections of a configuration that several kinds of experiments share. The schema must have accepted them.
 /// @{
 
-/// Returns the "name" of each entry of a list. Throws ConfigurationError for a repeated name. `list` is the key of the
-/// list in messages.
+/// Returns the value of "name" of each object in a JSON list. Throws ConfigurationError for a repeated name. `list` is
+/// the key of the list in messages.
 std::vector<std::string> unique_names(const nlohmann::json& entries, std::string_view list);
 
 /// Returns the index of `name` in `names`. If it is absent, throws ConfigurationError at `path`, with the most similar
@@ -58,7 +58,7 @@ std::size_t index_of_name(const std::string& name, const std::vector<std::string
 /// parts of `concatenate`, and settings that contradict each other.
 std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
-/// Reads the settings that experiments on shapes share from the root of a document.
+/// Reads the settings of ExperimentSettings from the root of a document into `settings`.
 void read_shared_settings(const nlohmann::json& document, ExperimentSettings& settings);
 
 /// Reads the options of the data-set generator from a configuration's "dataset". Throws ConfigurationError for settings

@@ -112,7 +112,7 @@ void add_descriptors(OrderedJson& schema) {
                                         {"maxItems", type.max_fields},
                                         {"items", {{"$ref", "#/definitions/field"}}}};
     if (type.axis_parameters.empty()) continue;
-    OrderedJson axis{{"description", "How the field of the same place in the list is counted."},
+    OrderedJson axis{{"description", "Bins and range of the field at the same position in the list."},
                      {"type", "object"},
                      {"additionalProperties", false},
                      {"properties", OrderedJson::object()}};
@@ -132,8 +132,9 @@ void add_layouts(OrderedJson& definitions) {
     }
     if (layout.has_splits) split.push_back(layout.name);
   }
-  definitions["layout"] = {{"description", described_entries("Layout of the files.", dataset_layouts())},
-                           {"enum", dataset_layouts().names()}};
+  definitions["layout"] = {
+      {"description", described_entries("Layout of the files, required without generate.", dataset_layouts())},
+      {"enum", dataset_layouts().names()}};
   definitions["dataset_classification"] = {
       {"description",
        fmt::format("Classification file or table, relative to root. Defaults: {}.", fmt::join(usual, "; "))},

@@ -14,13 +14,14 @@ namespace shapegauge {
 /// Part of a configuration with parameters: a type of field, perturbation or descriptor, a re-ranking method, or a
 /// section of the document.
 struct ParameterGroup {
-  std::string_view name;         ///< name of the type, method or section: "offset_sdf", "histogram"
-  std::string_view description;  ///< one sentence; empty for a section
-  std::span<const Parameter> parameters;
-  std::span<const Parameter> axis_parameters = {};  ///< parameters of a descriptor for each of its fields
+  std::string_view name;                            ///< name of the type, method or section: "offset_sdf", "histogram"
+  std::string_view description;                     ///< description in one sentence; empty for a section
+  std::span<const Parameter> parameters;            ///< parameters that users can set
+  std::span<const Parameter> axis_parameters = {};  ///< parameters of a descriptor per field; empty for other groups
 };
 
-/// Return the groups of parameters: types of fields, perturbations and descriptors, re-ranking methods, and sections.
+/// Return the parameter groups of configurations: types of fields, perturbations and descriptors, re-ranking methods,
+/// and sections.
 /// @{
 std::vector<ParameterGroup> field_groups();
 std::vector<ParameterGroup> perturbation_groups();

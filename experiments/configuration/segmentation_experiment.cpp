@@ -37,7 +37,7 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
   if (dataset.at("layout") != segmentation_layout) return read_location(dataset, folder);
   for (const char* key : {"classification", "split"}) {
     if (dataset.contains(key))
-      throw ConfigurationError{key, fmt::format("{} has none; remove it", segmentation_layout)};
+      throw ConfigurationError{key, fmt::format("the layout {} has none; remove it", segmentation_layout)};
   }
   return {.layout = std::string(segmentation_layout),
           .root = path_value(dataset, "root", folder),
@@ -72,20 +72,21 @@ std::span<const Parameter> segmentation_method_parameters() {
 
 std::span<const Parameter> segmentation_experiment_parameters() {
   static const std::vector<Parameter> parameters = [] {
-    std::vector<Parameter> all{Parameter{.name = "by",
-                                         .kind = ParameterKind::choice,
-                                         .default_value = word_of(TriangleWeights::faces),
-                                         .choices = words_of<TriangleWeights>,
-                                         .description = "Weight per triangle: equal, as in the benchmark, or by area."},
-                               Parameter{.name = "cuts",
-                                         .kind = ParameterKind::boolean,
-                                         .default_value = false,
-                                         .description = "Also compute the cut discrepancy, which takes the longest."},
-                               Parameter{.name = "pictures",
-                                         .kind = ParameterKind::boolean,
-                                         .default_value = true,
-                                         .description = "Pictures of the parts in the report."},
-                               up_parameter()};
+    std::vector<Parameter> all{
+        Parameter{.name = "by",
+                  .kind = ParameterKind::choice,
+                  .default_value = word_of(TriangleWeights::faces),
+                  .choices = words_of<TriangleWeights>,
+                  .description = "Weight of each triangle in the errors: 1 (faces), as in the benchmark, or its area."},
+        Parameter{.name = "cuts",
+                  .kind = ParameterKind::boolean,
+                  .default_value = false,
+                  .description = "Also compute the cut discrepancy, which takes the longest."},
+        Parameter{.name = "pictures",
+                  .kind = ParameterKind::boolean,
+                  .default_value = true,
+                  .description = "Pictures of the parts in the report."},
+        up_parameter()};
     all.insert(all.end(), experiment_parameters().begin(), experiment_parameters().end());
     return all;
   }();

@@ -22,22 +22,22 @@ namespace shapegauge {
 /// Name of the layout of data sets with human segmentations (find_segmentation_benchmark()).
 inline constexpr std::string_view segmentation_layout = "psb_segmentation";
 
-/// Segmentation method of an experiment: its name and options, and perturbations of the shapes that it gets.
+/// Segmentation method of an experiment: its name and options, and perturbations of the shapes that it segments.
 struct SegmentationMethod {
-  std::string name;
-  SegmentationOptions options;
-  std::vector<Perturbation> perturbations;  ///< steps applied to a shape before it is segmented
+  std::string name;                         ///< name of the method in results
+  SegmentationOptions options;              ///< algorithm and its options
+  std::vector<Perturbation> perturbations;  ///< perturbation steps applied to a shape before it is segmented
 };
 
 /// Complete, validated segmentation experiment with all defaults: segments the shapes of a benchmark and compares the
 /// parts with human segmentations.
 struct SegmentationExperiment : ExperimentSettings {
   DatasetLocation location;                   ///< data set on disk, for segmentation or retrieval; unused if generated
-  std::optional<GeneratorOptions> generator;  ///< options of generated shapes, whose parts are the ground truth
+  std::optional<GeneratorOptions> generator;  ///< options of generated shapes; absent for a data set on disk
   std::vector<SegmentationMethod> methods;    ///< methods to compare, at least one
-  TriangleWeights by = TriangleWeights::faces;  ///< weight of each triangle in the measures
-  bool cuts = false;                            ///< also compute the cut discrepancy
-  bool pictures = true;                         ///< show pictures of the parts in the report
+  TriangleWeights by = TriangleWeights::faces;  ///< weights of triangles in the errors: equal, or by area
+  bool cuts = false;                            ///< true to also compute the cut discrepancy
+  bool pictures = true;                         ///< true to show pictures of the parts in the report
   UpAxis up = UpAxis::automatic;                ///< vertical axis in pictures and views
 };
 

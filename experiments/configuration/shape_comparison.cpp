@@ -66,7 +66,7 @@ ShapeComparison checked_comparison(const Json& document, const fs::path& folder)
   if (document.contains("reference")) {
     comparison.reference = index_of_name(document.at("reference"), names, "shape", "reference");
   } else if (document.contains("registered")) {
-    throw ConfigurationError{"registered", "needs a \"reference\" that the shapes are compared with"};
+    throw ConfigurationError{"registered", "requires \"reference\", the name of the shape to compare with"};
   }
   comparison.registered = document.value("registered", comparison.reference.has_value());
   comparison.distance = document.value("distance", comparison.distance);

@@ -16,18 +16,18 @@ namespace shapegauge {
 
 /// One of the shapes of a shape comparison: a file or a generated shape.
 struct ComparedShape {
-  std::string name;
+  std::string name;                         ///< name of the shape in results
   std::filesystem::path file;               ///< shape file; empty for a generated shape
   std::optional<GeneratedModel> generated;  ///< settings of a generated shape; none for a file
-  std::vector<Perturbation> perturbations;  ///< steps applied to the shape after reading
+  std::vector<Perturbation> perturbations;  ///< perturbation steps applied to the shape after reading
 };
 
 /// Complete, validated shape comparison with all defaults: compares shapes with a reference.
 struct ShapeComparison : ExperimentSettings {
-  std::vector<ComparedShape> shapes;
-  std::optional<std::size_t> reference;  ///< index of the reference shape, if any
-  bool registered = true;  ///< shapes are aligned with the reference, so that values and normals are compared
-  std::vector<SignatureConfiguration> signatures;  ///< signatures to compare, only histograms of fields
+  std::vector<ComparedShape> shapes;     ///< shapes to compare, including the reference
+  std::optional<std::size_t> reference;  ///< index of the reference in `shapes`; absent without a reference
+  bool registered = true;  ///< true if shapes are aligned with the reference: values and normals are then compared
+  std::vector<SignatureConfiguration> signatures;  ///< signatures to compare; all are histograms of fields
   std::string distance = "l1";                     ///< name of the distance between histograms
 };
 

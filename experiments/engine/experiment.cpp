@@ -68,7 +68,7 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
 
 PartOutcome run_part(const Experiment& experiment, const Part& part, const fs::path& destination,
                      const RunControl& control, Cache& cache) {
-  if (!experiment.run_part) throw InputError("experiments of this kind have no parts");
+  if (!experiment.run_part) throw InputError("experiments of this kind cannot be divided into parts; omit `part`");
   if (cache.folder().empty()) throw InputError("`part` needs a folder that all parts share as `cache`");
   require_writable(cache.folder());
   return experiment.run_part({.control = control, .cache = cache, .generated = destination / "dataset"}, part);

@@ -22,8 +22,8 @@ nlohmann::ordered_json program_json();
 /// Returns the list "failed_models" of a manifest: the id of each omitted shape and the reason.
 nlohmann::ordered_json failures_json(std::span<const LeftOutShape> failures);
 
-/// Returns, per kind of cache entry, the numbers of results found in the cache and computed; null if there was no
-/// cache.
+/// Formats the numbers of results found in the cache and computed, per kind of cache entry, as JSON; JSON null for a
+/// disabled cache.
 nlohmann::ordered_json cache_json(const CacheReport& cache);
 
 /// Returns the SHA-256 of each result file in the folder, by file name. Omits files with run times, which vary between

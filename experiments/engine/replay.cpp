@@ -129,8 +129,8 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   if (root.empty()) return configuration;
   const fs::path absolute_root = fs::absolute(root).lexically_normal();
   const DocumentPaths paths = paths_of(configuration);
-  const std::vector<Place> files = matching_places(configuration, paths.files);
-  std::vector<Place> datasets = matching_places(configuration, paths.datasets);
+  const std::vector<Place> files = matching_pointers(configuration, paths.files);
+  std::vector<Place> datasets = matching_pointers(configuration, paths.datasets);
   std::erase_if(datasets, [&](const Place& place) { return !configuration.at(place).contains("root"); });
   if (datasets.size() > 1) {
     throw InputError(fmt::format("`dataset_root`: the run has several data sets; name each, as in `set={}.root=FOLDER`",

@@ -33,11 +33,11 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
   FolderLock(FolderLock&&) = delete;
   FolderLock& operator=(FolderLock&&) = delete;
-  ~FolderLock();
+  ~FolderLock();  ///< unlocks the folder
 
  private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;
+  std::filesystem::path path_;  ///< locked file in the folder
+  int descriptor_ = -1;         ///< file descriptor of the locked file
 };
 
 /// Name of the manifest of a run, the result file that is written last and lists the others.
@@ -56,9 +56,9 @@ void make_folder(const std::filesystem::path& folder);
 /// if that fails.
 void require_writable(const std::filesystem::path& folder);
 
-/// Throws InputError if the results of a run would overwrite an input. The inputs must contain neither the folder, nor
-/// one of the files (by name in the folder), nor a file that an earlier run has listed there, nor a folder of one of
-/// these.
+/// Throws InputError if the results of a run would overwrite one of the input files or folders. Results are `folder`,
+/// the result files `files` (names relative to `folder`), the files that the manifest of an earlier run lists there,
+/// and the subfolders of these files.
 void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::string> files,
                                  std::span<const std::filesystem::path> inputs);
 
@@ -93,8 +93,8 @@ class StagedResults {
   void publish(const std::vector<std::string>& files);
 
  private:
-  std::filesystem::path destination_;
-  std::filesystem::path folder_;
+  std::filesystem::path destination_;  ///< result folder
+  std::filesystem::path folder_;       ///< staging folder in the result folder
 };
 
 }  // namespace shapegauge

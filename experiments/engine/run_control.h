@@ -23,22 +23,23 @@ inline constexpr Bounds threads_bounds{.low = 1, .high = 1024};
 
 /// Control of a run by its caller: threads, cancellation, progress.
 struct RunControl {
-  int threads = 0;  ///< number of threads; 0 for all of the machine
+  int threads = 0;  ///< number of threads; 0 for all cores of the machine
   std::function<bool()> interrupted = [] {
     return false;
-  };                                     ///< polled between shapes, from any thread; true stops the run soon
-  Cancellation* cancellation = nullptr;  ///< if not null, also stops shapes in progress
-  /// Receives the name of the stage and its numbers of finished items and of all items; calls are serialised.
+  };                                     ///< called between shapes, from any thread; returning true stops the run
+  Cancellation* cancellation = nullptr;  ///< if not null, also interrupts shapes in progress; not owned
+  /// Progress callback: receives the name of the current step and the numbers of finished and of all items, such as
+  /// models, of that step. Calls are serialised.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
-  bool bold = false;  ///< the printed summary has the best scores in bold, for a terminal
+  bool bold = false;  ///< true to print the best scores of the summary in bold, for a terminal
 };
 
 /// Shape that a run omitted, with the reason.
 struct LeftOutShape {
-  std::string id;
+  std::string id;                   ///< id of the shape in the data set
   std::string message;              ///< reason why the run omitted the shape
-  std::filesystem::path file = {};  ///< file of the shape; empty if it has none
+  std::filesystem::path file = {};  ///< file of the shape; empty for a generated shape
 };
 
 /// Returns the number of hardware threads of the machine, which is used if 0 threads are requested.
@@ -53,10 +54,10 @@ void with_threads(int threads, const std::function<void()>& work);
 /// Runs the work with the threads that the control requests; its cancellation stops the work. Throws Interrupted.
 void with_threads(const RunControl& control, const std::function<void()>& work);
 
-/// Runs a job for each model, in parallel in the calling TBB arena. A job that throws makes its model a failure. With
-/// stop_at_failure, jobs not yet started are skipped, and only the first failure counts. Models start in order. Returns
-/// the failures in that order. A lack of memory is no failure of a model: it stops all jobs. Throws Interrupted, and
-/// std::bad_alloc.
+/// Runs a job for each index in `models`, started in this order, in parallel in the calling TBB arena. Returns the
+/// index and the message of each job that throws, in the order of indices. With stop_at_failure, jobs not yet started
+/// are skipped, and only the first failure is returned. `stage` names the work in progress reports. Throws Interrupted,
+/// and std::bad_alloc, which stops all jobs.
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job);
@@ -66,8 +67,8 @@ std::vector<ModelFailure> for_each_model_in_turn(std::span<const std::size_t> mo
                                                  bool stop_at_failure, const RunControl& control,
                                                  const std::function<void(std::size_t model)>& job);
 
-/// Reads the models with these indices in parallel, as a run does, and returns the unusable ones in order. Runs in the
-/// calling TBB arena. Throws Interrupted.
+/// Reads the models with these indices in parallel and returns, in order, those that cannot be read or have no surface
+/// area, with the reasons. Runs in the calling TBB arena. Throws Interrupted.
 std::vector<ModelFailure> validate_models(const Dataset& dataset, std::span<const std::size_t> models,
                                           const RunControl& control);
 

@@ -17,19 +17,19 @@ namespace shapegauge {
 
 /// Input files of a retrieval evaluation, and settings for reading them.
 struct EvaluationFiles {
-  std::filesystem::path matrix;     ///< file of distances, similarities, features, a TREC run or ranked lists
-  std::string variable{};           ///< name of the array in an .npz or .mat file with several arrays; may be empty
+  std::filesystem::path matrix;     ///< file of distances, similarities, features or ranked lists (TREC run)
+  std::string variable{};           ///< name of an array in an .npz or .mat file; empty for its only array
   std::filesystem::path labels{};   ///< file of class labels (read_labels()); empty if `qrels` is set
-  std::filesystem::path targets{};  ///< file of target labels, if `labels` has only the queries; may be empty
-  std::filesystem::path qrels{};    ///< file of TREC relevance judgements, instead of labels; may be empty
+  std::filesystem::path targets{};  ///< file of target labels; empty if `labels` has queries and targets
+  std::filesystem::path qrels{};    ///< file of TREC relevance judgements; empty if `labels` is set
   std::filesystem::path
-      ids{};  ///< file with the ids of the rows, one per line, equal to the ids in the matrix, if any; may be empty
+      ids{};  ///< file with the model ids of the matrix rows, one per line; empty for those of the matrix or of `order`
   RowOrder order = RowOrder::usual;              ///< order of the rows of a matrix without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list
-  std::size_t level = 0;                         ///< level of the class hierarchy to evaluate (read_labels())
-  bool shared_ids = false;                       ///< equal ids in `labels` and `targets` mean the same model
-  bool similarity = false;                       ///< the matrix has similarities: a larger value means nearer
-  std::string distance{};  ///< name of the distance between features, if `matrix` has features; otherwise empty
+  std::size_t level = 0;    ///< level of the class hierarchy to evaluate, 1 for the top; 0: labelled classes
+  bool shared_ids = false;  ///< true if equal ids in `labels` and `targets` mean the same model
+  bool similarity = false;  ///< true if the matrix has similarities: a larger value means nearer
+  std::string distance{};   ///< name of the distance between features, if `matrix` has features; otherwise empty
 };
 
 /// Name of the file in which a run stores the ids of the models, one per line, next to its matrices (.npy) of distances
@@ -43,10 +43,10 @@ TaskLabels read_task_labels(const EvaluationFiles& files);
 /// Opened input of an evaluation: distances or ranked answers, with the retrieval task that they belong to.
 struct EvaluationData {
   OpenMatrix distances;         ///< distance matrix, read in blocks; empty for ranked answers
-  RankedAnswerLists answers{};  ///< ranked answers, if task.coverage is set; otherwise empty
-  bool symmetric = false;       ///< distances are symmetric by construction, as between features
-  std::string name{};           ///< tag of a TREC run, which names the method; otherwise empty
-  EvaluationTask task;
+  RankedAnswerLists answers{};  ///< ranked lists, if task.coverage is set; empty for a matrix
+  bool symmetric = false;       ///< true if distances are symmetric by construction, as between features
+  std::string name{};           ///< tag of a TREC run, which names the method; empty for other files
+  EvaluationTask task;          ///< retrieval task: which models are relevant to which queries
 };
 
 /// Opens the files and matches the models of the matrix with the labels or judgements. Distances between features, and
@@ -57,16 +57,16 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files);
 
 /// Result of evaluate_files(): the input with its scores and warnings.
 struct EvaluatedFiles {
-  EvaluationData data;
-  Evaluation evaluation;
-  MatrixFindings findings;            ///< anomalies found in the matrix; empty for ranked lists
+  EvaluationData data;                ///< evaluated input
+  Evaluation evaluation;              ///< scores of the input
+  MatrixFindings findings;            ///< anomalies found in the matrix; default values for ranked lists
   std::vector<std::string> warnings;  ///< warnings about the files and scores, one sentence each
 };
 
 /// Warning with the name of the file that it is about.
 struct FileWarning {
-  std::string file;
-  std::string text;
+  std::string file;  ///< name of the file
+  std::string text;  ///< warning in one sentence
 };
 
 /// Merges equal warnings: returns each distinct text once, after the name of its file or, for several files, after

@@ -72,7 +72,7 @@ class LabelledModels {
     const auto found = known_.find(keys_.of(id));
     if (found != known_.end()) return found->second;
     throw InputError(fmt::format(
-        "{}: model {} is in no class; add it to the file or leave the model out{}", source_, quoted_word(id),
+        "{}: model {} is in no class; add it to the file or remove the model{}", source_, quoted_word(id),
         is_one_of_two_ ? "; if the ids of both files of labels name the same models, use `shared_ids`" : ""));
   }
 
@@ -129,8 +129,9 @@ EvaluationTask labelled_task(const MatrixIds& ids, const TaskLabels& labels, con
                              const Positions& columns) {
   for (const Positions* positions : {&rows, &columns}) {
     if (!positions->repeated()) continue;
-    throw InputError(fmt::format("model {} occurs twice in the models to look up in {}",
-                                 quoted_word(*positions->repeated()), source_of(labels)));
+    throw InputError(
+        fmt::format("model {} is repeated among the rows, columns or lists to evaluate, not in {}; remove one",
+                    quoted_word(*positions->repeated()), source_of(labels)));
   }
   EvaluationTask task{.retrieval = {},
                       .query_ids = ids.rows,
@@ -148,8 +149,9 @@ void check_labelled_models(const std::vector<std::string>& models, const Positio
                            const std::string& source) {
   for (const std::string& id : models) {
     if (positions.find(id) >= 0) continue;
-    throw InputError(fmt::format("{}: model {} is classified but is none of the {} models that have distances", source,
-                                 quoted_word(id), positions.size()));
+    throw InputError(
+        fmt::format("{}: model {} has a class but is not among the {} models with distances; remove it here", source,
+                    quoted_word(id), positions.size()));
   }
 }
 
@@ -159,7 +161,9 @@ EvaluationTask judged_task(const MatrixIds& ids, const Judgements& judgements, c
   const auto find = [&](const std::string& id, const Positions& positions) {
     const Eigen::Index found = positions.find(id);
     if (found >= 0) return found;
-    throw InputError(fmt::format("{}: {} is judged but is not in the matrix", source, quoted_word(id)));
+    throw InputError(
+        fmt::format("{}: {} is judged but is not in the matrix; remove its judgements, or use the ids of the matrix",
+                    source, quoted_word(id)));
   };
   EvaluationTask task{.retrieval = {}, .query_ids = ids.rows, .class_names = ids.rows, .warnings = {}};
   RetrievalTask& retrieval = task.retrieval;
@@ -195,12 +199,15 @@ void add_answer(const RankedAnswers::Answer& answer, const Positions& columns, c
   for (const auto& [model, distance] : answer.models) {
     const Eigen::Index column = columns.find(model);
     if (column < 0 || task.target_classes[static_cast<std::size_t>(column)] == no_class) {
-      throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
-                                   quoted_word(answer.query), quoted_word(model)));
+      throw InputError(fmt::format(
+          "the ranked list of query {} has the model {}, which is not a target; remove it, or add it to the targets",
+          quoted_word(answer.query), quoted_word(model)));
     }
     if (!seen.insert(column).second) {
       throw InputError(
-          fmt::format("the answer to {} has a model twice, once as {}", quoted_word(answer.query), quoted_word(model)));
+          fmt::format("the ranked list of query {} has the model {} more than once (extensions, and T before a number, "
+                      "are ignored); remove one",
+                      quoted_word(answer.query), quoted_word(model)));
     }
     models.push_back({.column = column, .distance = distance});
   }
@@ -217,7 +224,7 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
   const ListCoverage& coverage = task.coverage.value();
   if (const std::size_t missing = coverage.queries - coverage.answered; missing > 0) {
     task.warnings.push_back(
-        fmt::format("{} of {} {} have no answer: {}", missing, coverage.queries, queries,
+        fmt::format("{} of {} {} have no ranked list: {}", missing, coverage.queries, queries,
                     unanswered == Unanswered::count
                         ? "their scores are 0"
                         : fmt::format("the scores are of the other {}, as in trec_eval; `missing_queries=zero` counts "

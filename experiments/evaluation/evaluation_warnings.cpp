@@ -84,7 +84,7 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
         name_of_row(ids, earlier)));
   }
   if (!found.constant_rows.empty()) {
-    warnings.push_back(fmt::format("{} all distances equal (first: {}): only the handling of ties orders their answers",
+    warnings.push_back(fmt::format("{} all distances equal (first: {}): only `ties` determines their order",
                                    count_text(std::ssize(found.constant_rows), "row has", "rows have"),
                                    name_of_row(ids, found.constant_rows.front())));
   }
@@ -151,7 +151,7 @@ std::optional<std::string> chance_warning(const Evaluation& evaluation, const Ma
   constexpr double improbable = 1e-4;
   const bool has_reason =
       !found.infinite_rows.empty() || 2 * evaluation.queries_with_ties > std::ssize(evaluation.queries);
-  const auto chance = has_reason ? std::nullopt : nearest_by_chance(evaluation, task);
+  const auto chance = has_reason ? std::nullopt : compare_nearest_with_chance(evaluation, task);
   if (!chance || chance->probability > improbable) return std::nullopt;
   return fmt::format(
       "NN is {:.1f} %, far below the {:.1f} % of a random order: rows may be in another order than the labels, or the "

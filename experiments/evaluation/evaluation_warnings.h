@@ -12,16 +12,16 @@
 
 namespace shapegauge {
 
-/// Returns warnings about anomalies found in a distance matrix, one sentence each. `ids` has one id per row. `negated`
-/// means that the file had similarities, whose signs were changed.
+/// Returns warnings about anomalies found in a distance matrix, one sentence each. `ids` has the model id of each row.
+/// `negated` means that the file had similarities, whose signs were changed.
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
 
 /// Returns warnings about a distance matrix that is to be re-ranked, one sentence each: similarities instead of
 /// distances, asymmetry. Reads the whole matrix.
 std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 
-/// Returns a warning about queries with relevant and other models at equal distance, with the effect of the order of
-/// ties on the first tier (FT). Returns nothing if all such queries have constant rows, which matrix_warnings()
+/// Returns a warning about queries with relevant and irrelevant models at equal distance, with the effect of the order
+/// of ties on the first tier (FT). Returns nothing if all such queries have constant rows, which matrix_warnings()
 /// reports.
 std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found);
 

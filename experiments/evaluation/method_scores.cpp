@@ -109,7 +109,7 @@ std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
   for (const auto& [name, users] : uses) {
     std::vector<std::filesystem::path> places;
     for (const std::size_t i : users) places.push_back(place_of(methods[i]));
-    const std::vector<std::string> ends = distinguishing_ends(places);
+    const std::vector<std::string> ends = distinguishing_suffixes(places);
     std::map<std::string, int> repeated;
     for (std::size_t k = 0; k < users.size(); ++k) {
       const bool named_by_file = places[k].stem().string() == name;
@@ -125,13 +125,13 @@ std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
 std::vector<std::string> checked_names(std::span<const MethodScores> methods, std::span<const std::string> wanted) {
   if (wanted.empty()) return unique_names(methods);
   if (wanted.size() != methods.size()) {
-    throw InputError(fmt::format("there are {} names for {} methods ({})", wanted.size(), methods.size(),
+    throw InputError(fmt::format("`names` has {} names for {} methods ({})", wanted.size(), methods.size(),
                                  fmt::join(unique_names(methods), ", ")));
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (wanted[i].empty()) throw InputError("the name of a method is empty");
+    if (wanted[i].empty()) throw InputError("a name in `names` is empty");
     if (std::ranges::count(wanted, wanted[i]) > 1) {
-      throw InputError(fmt::format("two methods have the name {}", quoted_word(wanted[i])));
+      throw InputError(fmt::format("two methods have the name {}; change `names`", quoted_word(wanted[i])));
     }
   }
   return {wanted.begin(), wanted.end()};
@@ -146,7 +146,7 @@ std::vector<std::string> measures_to_compare(std::span<const MethodScores> metho
       return std::ranges::find(method.measures, measure) != method.measures.end();
     });
   });
-  if (common.empty()) throw InputError("the methods have no measure in common");
+  if (common.empty()) throw InputError("the methods have no measure in common; evaluate them with the same `measures`");
   return common;
 }
 

@@ -15,13 +15,13 @@ namespace shapegauge {
 
 /// Scores of one method under one protocol, for every query.
 struct MethodScores {
-  std::string method;
-  std::string source;  ///< path of the file that the scores are from
-  std::string protocol;
-  std::vector<std::string> measures;
+  std::string method;                  ///< name of the method
+  std::string source;                  ///< path of the file that the scores are from
+  std::string protocol;                ///< name of the evaluation protocol
+  std::vector<std::string> measures;   ///< names of the measures, such as "FT"
   std::vector<std::string> queries{};  ///< ids of the queries
   std::vector<std::string> classes{};  ///< class name of each query
-  Eigen::MatrixXd values{};            ///< scores as fractions (queries x measures)
+  Eigen::MatrixXd values{};            ///< scores as fractions, from 0 to 1: one row per query, one column per measure
 };
 
 /// Name of the file in the results of a run that has the scores of all methods for every query.
@@ -46,11 +46,11 @@ std::vector<int> class_numbers(const std::vector<std::string>& classes);
 
 /// Scores of several methods for the same queries, in the same order.
 struct AlignedMethods {
-  std::vector<std::string> methods;
-  std::string protocol;
-  std::vector<std::string> measures;
+  std::vector<std::string> methods;       ///< distinct names of the methods
+  std::string protocol;                   ///< name of the evaluation protocol of all methods
+  std::vector<std::string> measures;      ///< names of the measures, such as "FT"
   std::vector<int> classes;               ///< class index of each query
-  std::vector<Eigen::MatrixXd> values{};  ///< per measure: scores as fractions (queries x methods)
+  std::vector<Eigen::MatrixXd> values{};  ///< per measure: scores as fractions, a row per query, a column per method
 };
 
 /// Aligns the scores of methods by query, for the requested measures, or for all common measures if `wanted_measures`

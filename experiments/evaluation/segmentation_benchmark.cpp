@@ -40,7 +40,7 @@ std::size_t psb_class(const std::string& id) {
 /// Returns the segmentations in a folder or, if it cannot be read, the folder itself, which then fails.
 std::vector<fs::path> seg_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  if (!is_folder(folder)) return leads_nowhere(folder) ? std::vector{folder} : files;
+  if (!is_folder(folder)) return is_broken_link(folder) ? std::vector{folder} : files;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
        entry.increment(failure)) {
@@ -123,7 +123,8 @@ SegmentationBenchmark find_generated_parts(const fs::path& root) {
 }
 
 SegmentationScorer::SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring) {
-  if (is_cloud(mesh)) throw InputError("segmentations of point clouds cannot be compared by faces");
+  if (is_cloud(mesh))
+    throw InputError("segmentations are compared by faces, and this shape is a point cloud; use a mesh");
   const Samples samples = sample_shape(mesh, SampleSite::faces);
   if (scoring.by == TriangleWeights::area) {
     weights_.assign(samples.weights.begin(), samples.weights.end());
@@ -146,14 +147,14 @@ SegmentationErrors SegmentationScorer::errors(const std::vector<std::int32_t>& l
   return errors;
 }
 
-SegmentationErrors SegmentationScorer::errors_against(const std::vector<std::int32_t>& labels,
-                                                      const std::vector<std::vector<std::int32_t>>& people) const {
+SegmentationErrors SegmentationScorer::mean_errors_against(const std::vector<std::int32_t>& labels,
+                                                           const std::vector<std::vector<std::int32_t>>& people) const {
   std::vector<SegmentationErrors> all;
   for (const std::vector<std::int32_t>& person : people) all.push_back(errors(labels, person));
   return mean_of(all);
 }
 
-SegmentationErrors SegmentationScorer::errors_among(const std::vector<std::vector<std::int32_t>>& people) const {
+SegmentationErrors SegmentationScorer::mean_errors_among(const std::vector<std::vector<std::int32_t>>& people) const {
   std::vector<SegmentationErrors> all;
   for (const std::vector<std::int32_t>& one : people) {
     for (const std::vector<std::int32_t>& other : people) {

@@ -13,18 +13,18 @@ namespace shapegauge {
 
 /// Mesh of a segmentation benchmark with the files of its reference segmentations.
 struct SegmentedModel {
-  std::string id;
-  std::filesystem::path mesh;
+  std::string id;                             ///< id of the mesh
+  std::filesystem::path mesh;                 ///< mesh file
   std::vector<std::filesystem::path> people;  ///< .seg files of the reference segmentations, one per person
   int label = 0;                              ///< class: index into SegmentationBenchmark::classes
 };
 
 /// Meshes with reference segmentations, such as human ones, and their classes.
 struct SegmentationBenchmark {
-  std::vector<SegmentedModel> models;  ///< meshes with their segmentations, in natural order of ids
-  std::vector<std::string> classes;
+  std::vector<SegmentedModel> models;       ///< meshes with their segmentations, in natural order of ids
+  std::vector<std::string> classes;         ///< names of the classes, by class index
   std::vector<std::string> without_people;  ///< ids of meshes that are left out because they have no human segmentation
-  SkippedEntries skipped = {};
+  SkippedEntries skipped = {};              ///< numbers of files and folders that are not meshes of the benchmark
 };
 
 /// Finds the files of the Princeton Segmentation Benchmark as distributed: meshes `off/N.off` and human segmentations
@@ -38,8 +38,8 @@ SegmentationBenchmark find_generated_parts(const std::filesystem::path& root);
 
 /// Options of the errors of segmentations.
 struct SegmentationScoring {
-  TriangleWeights by = TriangleWeights::faces;  ///< weight of a triangle in the errors
-  bool cuts = true;                             ///< also compute the cut discrepancy, the slowest error
+  TriangleWeights by = TriangleWeights::faces;  ///< weights of triangles in the errors: equal, or by area
+  bool cuts = true;                             ///< true to also compute the cut discrepancy, the slowest error
 };
 
 /// Computes errors of segmentations of one mesh. A segmentation is given as one label per triangle.
@@ -54,18 +54,18 @@ class SegmentationScorer {
 
   /// Computes the mean errors of a segmentation relative to each human segmentation, ignoring undefined cut
   /// discrepancies.
-  [[nodiscard]] SegmentationErrors errors_against(const std::vector<std::int32_t>& labels,
-                                                  const std::vector<std::vector<std::int32_t>>& people) const;
+  [[nodiscard]] SegmentationErrors mean_errors_against(const std::vector<std::int32_t>& labels,
+                                                       const std::vector<std::vector<std::int32_t>>& people) const;
 
   /// Computes the mean errors over all pairs of human segmentations, as a bound of what methods can reach. Returns NaN
   /// for fewer than two segmentations.
-  [[nodiscard]] SegmentationErrors errors_among(const std::vector<std::vector<std::int32_t>>& people) const;
+  [[nodiscard]] SegmentationErrors mean_errors_among(const std::vector<std::vector<std::int32_t>>& people) const;
 
  private:
-  std::vector<double> weights_;
-  std::vector<MeshEdge> edges_;
-  std::int32_t vertices_ = 0;
-  double radius_ = 0;
+  std::vector<double> weights_;  ///< weight of each triangle in the errors; empty for equal weights
+  std::vector<MeshEdge> edges_;  ///< edges of the mesh, for the cut discrepancy
+  std::int32_t vertices_ = 0;    ///< number of vertices of the mesh
+  double radius_ = 0;            ///< mean distance of the surface from its centroid; 0 without the cut discrepancy
 };
 
 }  // namespace shapegauge

@@ -71,9 +71,9 @@ std::vector<SegmentationErrors> errors_on(const SegmentedModel& model,
   for (const std::filesystem::path& file : model.people) people.push_back(read_seg(file, mesh));
   std::vector<SegmentationErrors> errors;
   for (const std::filesystem::path& folder : folders) {
-    errors.push_back(scorer.errors_against(read_seg(folder / (model.id + ".seg"), mesh), people));
+    errors.push_back(scorer.mean_errors_against(read_seg(folder / (model.id + ".seg"), mesh), people));
   }
-  errors.push_back(scorer.errors_among(people));
+  errors.push_back(scorer.mean_errors_among(people));
   return errors;
 }
 

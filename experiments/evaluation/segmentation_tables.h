@@ -14,24 +14,24 @@
 
 namespace shapegauge {
 
-/// Name of the row in tables that compares human segmentations with each other.
+/// Name, in place of a method, of errors between human segmentations in tables.
 inline constexpr const char* people_name = "people";
 
 /// Segmentation errors of methods on the meshes of a benchmark. The last method may be people_name: errors between
 /// human segmentations.
 struct SegmentationScores {
-  std::vector<std::string> ids;      ///< ids of the meshes
-  std::vector<int> labels;           ///< class of each mesh, as an index into `classes`
-  std::vector<std::string> classes;  ///< names of the classes
-  std::vector<std::string> methods;
+  std::vector<std::string> ids;                         ///< ids of the meshes
+  std::vector<int> labels;                              ///< class of each mesh, as an index into `classes`
+  std::vector<std::string> classes;                     ///< names of the classes
+  std::vector<std::string> methods;                     ///< names of the methods
   std::vector<std::vector<SegmentationErrors>> errors;  ///< errors[m][i] of method m on mesh i; NaN if undefined
 
-  /// Returns the mean of an error over the meshes of the class with index `label`, or over all meshes for -1. Ignores
-  /// NaN; returns NaN if no error is defined.
+  /// Returns the mean of the error `value` of a method (index in `methods`) over the meshes of the class with index
+  /// `label`, or over all meshes if it is -1. Ignores NaN; returns NaN if no error is defined.
   [[nodiscard]] double mean(std::size_t method, double SegmentationErrors::*value, int label = -1) const;
 };
 
-/// Makes scores for these methods on the meshes of a benchmark, with all errors still to be set.
+/// Makes the scores of methods on the meshes of a benchmark with all errors 0, for the caller to set.
 SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vector<std::string> methods);
 
 /// Computes the errors of segmentations in folders. Each folder is a method of the same name, with a file `ID.seg` for
@@ -41,7 +41,7 @@ SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
                                        const std::vector<std::filesystem::path>& folders,
                                        const SegmentationScoring& scoring);
 
-/// Makes a table with a row for each method: its mean errors over all meshes.
+/// Makes a table with a row for each method: its mean segmentation errors over all meshes.
 TextTable mean_table(const SegmentationScores& scores);
 
 /// Makes a table with a row for each class and a column for each method: the mean Rand error.
@@ -50,7 +50,7 @@ TextTable class_table(const SegmentationScores& scores);
 /// Makes a table with a row for each method and class: mean errors over the meshes of the class, in full precision.
 TextTable class_error_table(const SegmentationScores& scores);
 
-/// Makes a table with a row for each method and mesh: all errors, in full precision.
+/// Makes a table with a row for each method and mesh: all segmentation errors, in full precision.
 TextTable mesh_table(const SegmentationScores& scores);
 
 /// Tests the differences between methods in mean Rand error, with classes as the units. Returns nothing for fewer than

@@ -29,7 +29,8 @@ using Kinds = std::vector<std::reference_wrapper<const ExperimentKind>>;
 /// Throws ArgumentError for a kind that no document can have, whose paths are no patterns, or whose schema has
 /// definitions.
 void check_kind(const ExperimentKind& kind) {
-  if (kind.keys.empty()) throw ArgumentError(fmt::format("the kind of experiment \"{}\" needs keys", kind.name));
+  if (kind.keys.empty())
+    throw ArgumentError(fmt::format("the kind of experiment \"{}\" needs keys, and has none", kind.name));
   if (kind.schema().contains("definitions")) {
     throw ArgumentError(
         fmt::format("the kind of experiment \"{}\": a schema cannot have definitions of its own", kind.name));

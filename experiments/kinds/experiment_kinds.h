@@ -11,8 +11,8 @@
 
 namespace shapegauge {
 
-/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have
-/// keys, `schema` and `read`. Its patterns of paths begin with a slash, and its schema has no definitions.
+/// Returns the registry of kinds of experiments: those of the library, followed by those added. Each kind must
+/// have `keys`, `schema` and `read`; its patterns of paths begin with a slash, and its schema has no definitions.
 Registry<ExperimentKind>& experiment_kinds();
 
 /// Reads an experiment from a document: replaces names of description files of data sets by their contents
@@ -22,8 +22,8 @@ Registry<ExperimentKind>& experiment_kinds();
 Experiment read_experiment(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder);
 
-/// Returns the positions of relative paths in a document, by its kind of experiment (ExperimentKind::paths). If several
-/// kinds recognise the document, the first one counts; if none does, the first kind of the registry.
+/// Returns the positions of relative paths in a document, by its kind of experiment (ExperimentKind::paths). Uses
+/// the first kind that recognises the document or, if none does, the first kind of the registry.
 DocumentPaths experiment_paths(const nlohmann::json& document);
 
 /// Returns the JSON Schema (draft 7) of configurations of all kinds. configs/experiment.schema.json is this text, for

@@ -63,20 +63,21 @@ SubmittedDataset submitted_dataset(const fs::path& folder, const EvaluationFiles
 std::map<std::string, std::vector<std::size_t>> datasets_of_methods(const std::vector<Leaderboard>& boards) {
   std::map<std::string, std::vector<std::size_t>> datasets;
   for (std::size_t i = 0; i < boards.size(); ++i) {
-    for (const JudgedSubmission& judged : boards[i].submissions) datasets[judged.submission.name].push_back(i);
+    for (const EvaluatedSubmission& judged : boards[i].submissions) datasets[judged.submission.name].push_back(i);
   }
   return datasets;
 }
 
-const JudgedSubmission& submission_of(const std::string& method, const Leaderboard& board) {
-  return *std::ranges::find(board.submissions, method, [](const JudgedSubmission& one) { return one.submission.name; });
+const EvaluatedSubmission& submission_of(const std::string& method, const Leaderboard& board) {
+  return *std::ranges::find(board.submissions, method,
+                            [](const EvaluatedSubmission& one) { return one.submission.name; });
 }
 
 // Refuses methods that a data set lacks. Returns the names of the others.
 std::vector<std::string> common_methods(DatasetLeaderboards& all) {
   const auto datasets = datasets_of_methods(all.boards);
   std::vector<std::string> common;
-  for (const JudgedSubmission& judged : all.boards.front().submissions) {
+  for (const EvaluatedSubmission& judged : all.boards.front().submissions) {
     const std::string& name = judged.submission.name;
     if (datasets.at(name).size() == all.boards.size()) common.push_back(name);
   }
@@ -99,7 +100,7 @@ EvaluatedDataset evaluated_dataset(const SubmittedDataset& dataset, const Leader
   EvaluatedDataset evaluated{
       .name = dataset.name, .folder = {}, .page = {}, .models = board.labels.size(), .scores = {}};
   for (const std::string& method : methods) {
-    const JudgedSubmission& judged = submission_of(method, board);
+    const EvaluatedSubmission& judged = submission_of(method, board);
     evaluated.scores.push_back(scores_of(judged, board.class_names));
     evaluated.micro_deviations.push_back(judged.micro_deviation);
     evaluated.macro_deviations.push_back(judged.macro_deviation);
@@ -144,8 +145,8 @@ std::vector<SubmittedDataset> find_submitted_datasets(std::span<const fs::path> 
   return datasets;
 }
 
-DatasetLeaderboards judge_datasets(const std::vector<SubmittedDataset>& datasets, const JudgingOptions& options,
-                                   Cache& cache, const JudgingProgress& progress) {
+DatasetLeaderboards evaluate_datasets(const std::vector<SubmittedDataset>& datasets, const JudgingOptions& options,
+                                      Cache& cache, const JudgingProgress& progress) {
   DatasetLeaderboards all{.datasets = datasets, .boards = {}, .results = {}, .refused = {}, .skipped = {}};
   for (const SubmittedDataset& dataset : datasets) {
     JudgingOptions own = options;

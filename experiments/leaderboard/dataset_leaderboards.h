@@ -14,9 +14,9 @@ namespace shapegauge {
 
 /// Data set of a leaderboard: a folder with its submissions and its labels.
 struct SubmittedDataset {
-  std::string name;  ///< name of the data set, equal to the folder's name
-  std::filesystem::path folder;
-  EvaluationFiles files;  ///< labels or judgements of the data set, and settings
+  std::string name;              ///< name of the data set, equal to the folder's name
+  std::filesystem::path folder;  ///< folder with the submissions and the labels
+  EvaluationFiles files;         ///< labels or relevance judgements of the data set, and how files are read
 };
 
 /// Finds the data sets of a leaderboard, one per folder. Each folder has a file `labels.*` and optionally `targets.*`
@@ -28,19 +28,19 @@ std::vector<SubmittedDataset> find_submitted_datasets(std::span<const std::files
 
 /// Leaderboards of several data sets, and the comparison of methods over all of them.
 struct DatasetLeaderboards {
-  std::vector<SubmittedDataset> datasets;
+  std::vector<SubmittedDataset> datasets;      ///< data sets with their submissions and labels
   std::vector<Leaderboard> boards;             ///< one leaderboard per data set
-  MultiDatasetResults results;                 ///< comparison of the methods with submissions for all data sets
-  std::vector<RefusedSubmission> refused;      ///< refused submissions, also of methods that a data set lacks
-  std::vector<std::filesystem::path> skipped;  ///< files that are no submissions (FoundSubmissions)
+  MultiDatasetResults results;                 ///< ranks and tests of the methods with submissions for all data sets
+  std::vector<RefusedSubmission> refused;      ///< refused files, also of methods that lack a file for some data set
+  std::vector<std::filesystem::path> skipped;  ///< files that are no submissions (FoundSubmissions::skipped)
 };
 
 /// Evaluates the submissions for each data set, see judge_submissions(), and compares the methods over all data sets by
 /// ranks. Methods are matched by their names; a method without a valid submission for every data set is refused. The
 /// labels in `options` are ignored. Throws InputError as judge_submissions() does, and if no method has submissions for
 /// all data sets.
-DatasetLeaderboards judge_datasets(const std::vector<SubmittedDataset>& datasets, const JudgingOptions& options,
-                                   Cache& cache, const JudgingProgress& progress = {});
+DatasetLeaderboards evaluate_datasets(const std::vector<SubmittedDataset>& datasets, const JudgingOptions& options,
+                                      Cache& cache, const JudgingProgress& progress = {});
 
 /// Formats the comparison over data sets, the refused submissions and the settings as JSON, with scores as fractions.
 nlohmann::ordered_json dataset_leaderboards_json(const DatasetLeaderboards& all, const JudgingOptions& options);

@@ -176,14 +176,14 @@ class Judging {
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
     }
     warn_of_same_bytes(bytes, judged.warnings);
-    JudgedSubmission one{.submission = submission,
-                         .files = files,
-                         .sha256 = bytes,
-                         .key = key,
-                         .evaluation = std::move(judged.evaluation),
-                         .query_ids = std::move(judged.query_ids),
-                         .fit_for_report = judged.fit_for_report,
-                         .warnings = std::move(judged.warnings)};
+    EvaluatedSubmission one{.submission = submission,
+                            .files = files,
+                            .sha256 = bytes,
+                            .key = key,
+                            .evaluation = std::move(judged.evaluation),
+                            .query_ids = std::move(judged.query_ids),
+                            .fit_for_report = judged.fit_for_report,
+                            .warnings = std::move(judged.warnings)};
     if (one.submission.name.empty()) one.submission.name = judged.name;
     MethodScores scores = scores_of(one, judged.class_names);
     if (!scores_.empty()) align_methods(std::vector{scores_.front(), scores}, {});
@@ -196,7 +196,7 @@ class Judging {
   }
 
   void warn_of_same_bytes(const std::string& bytes, std::vector<std::string>& warnings) const {
-    const auto same = std::ranges::find(board_->submissions, bytes, &JudgedSubmission::sha256);
+    const auto same = std::ranges::find(board_->submissions, bytes, &EvaluatedSubmission::sha256);
     if (same == board_->submissions.end()) return;
     warnings.push_back(fmt::format("the file has the same bytes as {}", same->submission.file.string()));
   }
@@ -264,7 +264,7 @@ std::string all_refused(const std::vector<RefusedSubmission>& refused) {
 
 }  // namespace
 
-MethodScores scores_of(const JudgedSubmission& judged, const std::vector<std::string>& class_names) {
+MethodScores scores_of(const EvaluatedSubmission& judged, const std::vector<std::string>& class_names) {
   EvaluationTask named;
   named.query_ids = judged.query_ids;
   named.class_names = class_names;

@@ -17,31 +17,31 @@ namespace shapegauge {
 
 /// Options for evaluating and ranking the submissions of a leaderboard.
 struct JudgingOptions {
-  EvaluationFiles files;  ///< labels or judgements; `matrix` is unused, and the other settings are defaults for
-                          ///< submissions that do not set them
-  EvaluationOptions evaluation;
-  StandingOptions standings;  ///< options of ranks and tests; averages over classes are always tested over classes
-  std::string rank_by{};      ///< measure to rank by; if empty, mAP or, if not computed, the first measure
-  bool hide_classes = false;  ///< omit classes of models from pages
+  EvaluationFiles files;         ///< labels or relevance judgements; `matrix` is unused, and the other settings are
+                                 ///< defaults for submissions that do not set them
+  EvaluationOptions evaluation;  ///< measures and other options of the evaluation
+  StandingOptions standings;     ///< options of ranks and significance tests; macro averages are tested over classes
+  std::string rank_by{};         ///< name of the measure to rank by; if empty, mAP or, if not computed, the first
+  bool hide_classes = false;     ///< true to omit the classes of models from pages
 };
 
 /// File of one of several repetitions of a method (random seeds or folds).
 struct RepetitionFile {
-  std::filesystem::path file;
-  std::string sha256;
+  std::filesystem::path file;  ///< file of the repetition, such as foo.seed1.npy
+  std::string sha256;          ///< SHA-256 of the file
 };
 
 /// Evaluated submission. Repetitions of a method are combined into one: the first, with the mean evaluation of all.
-struct JudgedSubmission {
-  Submission submission;  ///< submission, with a name that is unique on the leaderboard
-  EvaluationFiles files;  ///< files and settings of the evaluation
-  std::string sha256;     ///< SHA-256 of the submission's file
-  std::string key;        ///< cache key of the evaluation: hash of all its inputs
-  Evaluation evaluation;
-  std::vector<std::string> query_ids;         ///< ids of the models in the rows of the task
-  bool fit_for_report = false;                ///< a report can show the evaluation (is_fit_for_report())
-  std::vector<std::string> warnings;          ///< warnings for readers of the leaderboard, one sentence each
-  std::vector<RepetitionFile> repetitions{};  ///< files of all repetitions; empty for a single file
+struct EvaluatedSubmission {
+  Submission submission;               ///< submission, with a name that is unique on the leaderboard
+  EvaluationFiles files;               ///< files and settings of the evaluation
+  std::string sha256;                  ///< SHA-256 of the submission's file
+  std::string key;                     ///< cache key of the evaluation: hash of all its inputs
+  Evaluation evaluation;               ///< scores of the submission, or their means over repetitions
+  std::vector<std::string> query_ids;  ///< ids of the models in the rows of the matrix, or of ranked lists
+  bool fit_for_report = false;         ///< true if a report can show it (is_fit_for_report()); false with repetitions
+  std::vector<std::string> warnings;   ///< warnings for readers of the leaderboard, one sentence each
+  std::vector<RepetitionFile> repetitions{};  ///< files of all repetitions; empty for a method with one file
   /// Standard deviation over repetitions of the micro (macro) average, one value per measure; empty for a single file.
   /// @{
   Eigen::VectorXd micro_deviation{};
@@ -50,14 +50,14 @@ struct JudgedSubmission {
 };
 
 /// Returns the scores of an evaluated submission for every query. `class_names` has the names by class index.
-MethodScores scores_of(const JudgedSubmission& judged, const std::vector<std::string>& class_names);
+MethodScores scores_of(const EvaluatedSubmission& judged, const std::vector<std::string>& class_names);
 
 /// Leaderboard: ranked submissions with their evaluations and standings, and refused submissions. Letters of
 /// significance are capitals for tests over classes, lower case for tests over queries.
 struct Leaderboard {
-  std::vector<JudgedSubmission> submissions;  ///< submissions, best first by the ranking measure (over queries)
-  std::vector<RefusedSubmission> refused;
-  std::vector<std::string> measures;
+  std::vector<EvaluatedSubmission> submissions;    ///< submissions, best first by the ranking measure (over queries)
+  std::vector<RefusedSubmission> refused;          ///< files that were refused, with the reasons
+  std::vector<std::string> measures;               ///< names of the measures, such as "FT"
   std::size_t rank_by = 0;                         ///< index of the ranking measure in `measures`
   std::vector<std::string> class_names;            ///< names of the classes, by class index
   std::vector<int> labels;                         ///< class index of each target

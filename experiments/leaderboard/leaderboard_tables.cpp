@@ -29,7 +29,8 @@ std::string deviation_beside(const Eigen::VectorXd& deviations, std::size_t meas
 }
 
 bool has_repetitions(const Leaderboard& board) {
-  return std::ranges::any_of(board.submissions, [](const JudgedSubmission& one) { return !one.repetitions.empty(); });
+  return std::ranges::any_of(board.submissions,
+                             [](const EvaluatedSubmission& one) { return !one.repetitions.empty(); });
 }
 
 BoardJson standing_json(const MethodStanding& standing, const Eigen::VectorXd& deviations, std::size_t measure) {
@@ -43,7 +44,7 @@ BoardJson standing_json(const MethodStanding& standing, const Eigen::VectorXd& d
 }
 
 BoardJson submission_json(const Leaderboard& board, std::size_t index, const EvaluationFiles& files) {
-  const JudgedSubmission& judged = board.submissions[index];
+  const EvaluatedSubmission& judged = board.submissions[index];
   BoardJson json{{"name", judged.submission.name},
                  {"file", judged.submission.file.filename().string()},
                  {"sha256", judged.sha256}};
@@ -118,7 +119,7 @@ TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& styl
   return table;
 }
 
-std::string letter_words(const StandingOptions& options) {
+std::string explain_letters(const StandingOptions& options) {
   return fmt::format(
       "Methods that share a small letter do not differ significantly on {} (test over {}), those that share a capital "
       "on "
@@ -126,12 +127,12 @@ std::string letter_words(const StandingOptions& options) {
       options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.blocks));
 }
 
-std::string significance_words(const Leaderboard& board, const StandingOptions& options) {
+std::string explain_significance(const Leaderboard& board, const StandingOptions& options) {
   std::string words = fmt::format(
       "{:g} % bootstrap intervals. {} Randomised Tukey HSD, p > {:.3g}: it compares all methods at once, and one that "
       "is "
       "far worse than the others can hide differences between these.",
-      100 * options.confidence, letter_words(options), significance_level(options.confidence));
+      100 * options.confidence, explain_letters(options), significance_level(options.confidence));
   if (const auto few = few_classes_warning(board, options)) words += fmt::format(" {}.", *few);
   return words;
 }
@@ -139,7 +140,7 @@ std::string significance_words(const Leaderboard& board, const StandingOptions& 
 std::optional<std::string> few_classes_warning(const Leaderboard& board, const StandingOptions& options) {
   const Eigen::Index classes = std::ssize(board.submissions.front().evaluation.classes);
   const Eigen::Index methods = std::ssize(board.submissions);
-  const double smallest = smallest_tukey_p_value(methods, classes, options.resampling);
+  const double smallest = min_attainable_tukey_p_value(methods, classes, options.resampling);
   if (methods < 2 || smallest <= significance_level(options.confidence)) return std::nullopt;
   return fmt::format(
       "{} of {} cannot differ significantly on classes like these: no p-value of the test over classes is below {:.3g}",

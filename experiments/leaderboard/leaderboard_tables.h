@@ -21,16 +21,16 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style);
 TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
 
 /// Returns a sentence that explains the letters of significance in a leaderboard.
-std::string letter_words(const StandingOptions& options);
+std::string explain_letters(const StandingOptions& options);
 
 /// Returns sentences that explain the confidence intervals, letters and test of a leaderboard.
-std::string significance_words(const Leaderboard& board, const StandingOptions& options);
+std::string explain_significance(const Leaderboard& board, const StandingOptions& options);
 
 /// Returns a warning if there are too few classes for significant differences between averages over classes (capital
 /// letters); otherwise nothing.
 std::optional<std::string> few_classes_warning(const Leaderboard& board, const StandingOptions& options);
 
-/// Removes the paths of the folders of a submission and of the files of labels from a text for readers.
+/// Removes the paths of local folders, those of a submission and of the files of labels, from a text to be published.
 std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files);
 
 /// Formats the leaderboard, the refused submissions and the settings as JSON, with scores as fractions.

@@ -11,7 +11,7 @@ namespace shapegauge {
 namespace {
 
 // Positions of the submissions of each method, in their order.
-std::vector<std::vector<std::size_t>> methods_of(const std::vector<JudgedSubmission>& submissions) {
+std::vector<std::vector<std::size_t>> methods_of(const std::vector<EvaluatedSubmission>& submissions) {
   std::vector<std::vector<std::size_t>> methods;
   std::map<std::filesystem::path, std::size_t> known;
   for (std::size_t i = 0; i < submissions.size(); ++i) {
@@ -65,10 +65,10 @@ Eigen::VectorXd deviation_of(const std::vector<const Evaluation*>& evaluations, 
 }
 
 // Combines repetitions with the mean `scores` of their queries.
-JudgedSubmission combined(const std::vector<JudgedSubmission>& repetitions, const MethodScores& scores) {
-  JudgedSubmission method = repetitions.front();
+EvaluatedSubmission combined(const std::vector<EvaluatedSubmission>& repetitions, const MethodScores& scores) {
+  EvaluatedSubmission method = repetitions.front();
   std::vector<const Evaluation*> evaluations;
-  for (const JudgedSubmission& one : repetitions) {
+  for (const EvaluatedSubmission& one : repetitions) {
     evaluations.push_back(&one.evaluation);
     method.repetitions.push_back({.file = one.submission.file, .sha256 = one.sha256});
     for (const std::string& warning : one.warnings) {
@@ -95,11 +95,11 @@ MethodScores mean_scores(const std::vector<MethodScores>& repetitions) {
 
 }  // namespace
 
-void combine_repetitions(std::vector<JudgedSubmission>& submissions, std::vector<MethodScores>& scores) {
-  std::vector<JudgedSubmission> methods;
+void combine_repetitions(std::vector<EvaluatedSubmission>& submissions, std::vector<MethodScores>& scores) {
+  std::vector<EvaluatedSubmission> methods;
   std::vector<MethodScores> scores_of_methods;
   for (const std::vector<std::size_t>& positions : methods_of(submissions)) {
-    std::vector<JudgedSubmission> repetitions;
+    std::vector<EvaluatedSubmission> repetitions;
     std::vector<MethodScores> scores_of_repetitions;
     for (const std::size_t i : positions) {
       repetitions.push_back(std::move(submissions[i]));

@@ -75,7 +75,7 @@ fs::path checked_ids(const fs::path& submission, const std::string& ids) {
 }
 
 std::string text_at(const nlohmann::json& value, const std::string& key) {
-  if (!value.is_string()) throw InputError(fmt::format("\"{}\" must be a text", key));
+  if (!value.is_string()) throw InputError(fmt::format("\"{}\" must be a string", key));
   return value.get<std::string>();
 }
 

@@ -12,21 +12,21 @@ namespace shapegauge {
 /// Submission to a leaderboard: a file of distances, similarities, features or ranked lists, with the contents of its
 /// JSON file.
 struct Submission {
-  std::filesystem::path file;
-  std::string name{};     ///< name of the method; if empty, method_name() of the file
-  std::string authors{};  ///< names of the authors; may be empty
-  std::string paper{};
-  std::string url{};                      ///< link to a web page, begins with http:// or https://; may be empty
-  std::optional<bool> similarity{};       ///< larger values mean nearer; absent if not specified
-  std::string distance{};                 ///< name of the distance, if the file has features; otherwise empty
-  std::filesystem::path ids{};            ///< file with the ids of the rows, one per line; may be empty
-  std::filesystem::path repetition_of{};  ///< method of a repetition: foo for foo.seed1.npy or foo.fold1.npy
+  std::filesystem::path file;             ///< file of distances, similarities, features or ranked lists
+  std::string name{};                     ///< name of the method; if empty, method_name() of the file
+  std::string authors{};                  ///< names of the authors; empty if not specified
+  std::string paper{};                    ///< title or reference of the paper; empty if not specified
+  std::string url{};                      ///< web address with http:// or https://; empty if not specified
+  std::optional<bool> similarity{};       ///< true if larger values mean nearer; absent if not specified
+  std::string distance{};                 ///< name of the distance between features; empty for other files
+  std::filesystem::path ids{};            ///< file with the model ids of the rows, one per line; empty if none
+  std::filesystem::path repetition_of{};  ///< path foo for a repetition foo.seed1.npy; empty if it is none
 };
 
 /// File that is refused as a submission, or as the JSON file of a submission, with the reason.
 struct RefusedSubmission {
-  std::filesystem::path file;
-  std::string reason;  ///< one line with the fault and the remedy
+  std::filesystem::path file;  ///< path of the refused file
+  std::string reason;          ///< one line with the fault and the remedy
 };
 
 /// Result of find_submissions(): submissions, refused files and skipped files.

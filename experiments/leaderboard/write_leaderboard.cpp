@@ -44,7 +44,7 @@ std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
 // Returns the address of each submission's page; empty if it has none.
 std::vector<std::string> page_names(const Leaderboard& board, bool hide_classes) {
   std::vector<std::string> names;
-  for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
+  for (const EvaluatedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
   std::vector<std::string> pages = file_safe_names(names);
   for (std::size_t i = 0; i < pages.size(); ++i) {
     pages[i] =
@@ -54,9 +54,9 @@ std::vector<std::string> page_names(const Leaderboard& board, bool hide_classes)
 }
 
 // Returns a key of the contents of a submission's page.
-std::string page_key(const JudgedSubmission& judged) { return sha256(judged.submission.name + judged.key); }
+std::string page_key(const EvaluatedSubmission& judged) { return sha256(judged.submission.name + judged.key); }
 
-void write_submission_page(const fs::path& file, const JudgedSubmission& judged) {
+void write_submission_page(const fs::path& file, const EvaluatedSubmission& judged) {
   const EvaluationData data = open_evaluation_files(judged.files);
   const NamedEvaluation named{.method = judged.submission.name, .evaluation = &judged.evaluation};
   write_file_atomically(file, evaluation_report_page(named, data));
@@ -87,7 +87,7 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                        .micro = board.micro,
                        .macro = board.macro,
                        .rank_by = board.rank_by,
-                       .significance = significance_words(board, options.standings),
+                       .significance = explain_significance(board, options.standings),
                        .refused = {},
                        .csv = to_csv(leaderboard_csv_table(board)),
                        .latex = latex_of(board)};
@@ -95,7 +95,7 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
     return without_folders(text, file, options.files);
   };
   for (std::size_t i = 0; i < board.submissions.size(); ++i) {
-    const JudgedSubmission& judged = board.submissions[i];
+    const EvaluatedSubmission& judged = board.submissions[i];
     std::vector<std::string> warnings;
     for (const std::string& warning : judged.warnings) warnings.push_back(for_readers(warning, judged.submission.file));
     page.entries.push_back({.name = judged.submission.name,

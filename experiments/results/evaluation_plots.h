@@ -15,9 +15,9 @@ namespace shapegauge {
 
 /// Precision-recall curve of a method.
 struct NamedCurve {
-  std::string method;
-  std::string protocol;
-  PrecisionRecallCurve curve;
+  std::string method;          ///< name of the method
+  std::string protocol;        ///< name of the evaluation protocol
+  PrecisionRecallCurve curve;  ///< precision at each recall level
 };
 
 /// Returns the precision-recall curve of an evaluation, averaged over queries or classes.
@@ -40,7 +40,7 @@ Drawing class_plot(std::span<const NamedEvaluation> evaluations, std::span<const
                    const std::string& measure);
 
 /// Draws a chart of average scores in percent, with a bar and a confidence interval for each measure and method.
-/// `comparisons` has one entry per measure.
+/// `comparisons` has one MethodComparison per measure. `confidence` is the level of the intervals, such as 0.95.
 Drawing scores_plot(std::span<const std::string> methods, std::span<const std::string> measures,
                     std::span<const MethodComparison> comparisons, double confidence);
 

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// Evaluation of one method for a report, with the evaluated matrix.
 struct ReportedEvaluation {
-  NamedEvaluation named;
+  NamedEvaluation named;                 ///< scores with the name of the method
   const EvaluationData* data = nullptr;  ///< evaluated matrix with its task; not null
 };
 

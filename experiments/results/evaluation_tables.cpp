@@ -84,7 +84,7 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
       options.blocks == ResamplingUnit::classes ? evaluation.classes.size() : evaluation.queries.size();
   if (units < 2) return {};
   const auto of = [&](Average average) {
-    return bootstrap_intervals(units_of(evaluation.per_query, evaluation.query_classes, options.blocks, average),
+    return bootstrap_intervals(unit_values_of(evaluation.per_query, evaluation.query_classes, options.blocks, average),
                                options.confidence, options.resampling);
   };
   return {.confidence = options.confidence, .micro = of(Average::micro), .macro = of(Average::macro)};

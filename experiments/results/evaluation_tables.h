@@ -14,14 +14,14 @@ namespace shapegauge {
 
 /// Number format of scores in tables.
 struct ScoreStyle {
-  bool percent = true;  ///< scores in percent; false: as fractions
-  int decimals = 2;     ///< number of decimals, or all_decimals
+  bool percent = true;  ///< true for scores in percent, false for fractions
+  int decimals = 2;     ///< number of decimal places, or all_decimals
 };
 
-/// Value of ScoreStyle::decimals: as many decimals as restore a score to the bit.
+/// Value of ScoreStyle::decimals for the smallest number of decimals that restores the score exactly.
 inline constexpr int all_decimals = -1;
 
-/// Formats a score, which is a fraction, in the given style.
+/// Formats a score, which is a fraction from 0 to 1, as text in the style.
 std::string score_text(double fraction, const ScoreStyle& style);
 
 /// Style of tables in CSV files: percent with four decimals.
@@ -32,9 +32,9 @@ inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimal
 
 /// Options of confidence intervals (bootstrap_intervals()).
 struct IntervalOptions {
-  double confidence = 0.95;
-  ResamplingUnit blocks = ResamplingUnit::classes;
-  ResamplingOptions resampling{};
+  double confidence = 0.95;                         ///< confidence level of the intervals
+  ResamplingUnit blocks = ResamplingUnit::classes;  ///< units to resample: whole classes or single queries
+  ResamplingOptions resampling{};                   ///< number of resamples and seed
 };
 
 /// Computes the bootstrap confidence intervals of the averages of an evaluation; empty for fewer than two classes, or
@@ -43,9 +43,9 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
 
 /// Evaluation with the name of its method.
 struct NamedEvaluation {
-  std::string method;
-  const Evaluation* evaluation = nullptr;
-  EvaluationIntervals intervals{};
+  std::string method;                      ///< name of the method
+  const Evaluation* evaluation = nullptr;  ///< scores of the method; not owned, not null
+  EvaluationIntervals intervals{};         ///< confidence intervals of the averages; empty if not computed
   std::size_t failed = 0;  ///< number of models that the method cannot process, which count as not found
 };
 
@@ -72,7 +72,7 @@ TextTable intervals_table(std::span<const NamedEvaluation> evaluations);
 TextTable per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
 /// Makes a table with a row for each evaluation and query: method, protocol, id of the query, its class, measures.
-/// `ids` has one id per row of the matrix. read_method_scores() restores the scores to the bit.
+/// `ids` has the model id of each matrix row. read_method_scores() restores the scores to the bit.
 TextTable per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
                           std::span<const std::string> class_names, const ScoreStyle& style = exact_style);
 
@@ -87,8 +87,8 @@ TextTable class_curves_table(std::span<const NamedEvaluation> evaluations, std::
 /// Formats a precision-recall curve like psbPlot, for gnuplot: one line per level, with recall and precision.
 std::string psb_plot(const PrecisionRecallCurve& curve);
 
-/// Returns an object of the measures of each query, as fractions, by the id of the query. `ids` has one id per row of
-/// the matrix.
+/// Returns a JSON object with the measures of each query, as fractions; its keys are the query ids. `ids` has the model
+/// id of each matrix row.
 nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
 
 /// Formats an evaluation as JSON (docs/reference/file_formats.md#results-of-a-run): protocol, ties, and the numbers of

@@ -20,14 +20,14 @@ using FieldFileWriter =
 
 /// Options of files with the values of a field: camera, colours and names.
 struct FieldPicture {
-  RenderOptions render = {};
-  bool upright = true;                   ///< view the shape by upright_view(), not from the direction in `render`
-  bool legend = true;                    ///< colour bar with values next to the shape, if the picture is large enough
-  std::string label = "sdf";             ///< heading of the legend: quantity and unit
-  std::string value_name = "sdf";        ///< column of .csv files and property of .ply files
+  RenderOptions render = {};       ///< camera and image size of pictures
+  bool upright = true;             ///< true to view the shape by upright_view(), false from the direction in `render`
+  bool legend = true;              ///< true for a colour bar with values, if the picture is large enough
+  std::string label = "sdf";       ///< heading of the legend: quantity and unit
+  std::string value_name = "sdf";  ///< column of .csv files and property of .ply files
   std::optional<Interval> range = {};    ///< values at the ends of the colour map; central_range() if absent
-  bool logarithmic = false;              ///< logarithmic colour scale; `range` must then be positive
-  std::optional<double> threshold = {};  ///< values below it have a colour that is not on the map
+  bool logarithmic = false;              ///< true for a logarithmic colour scale; `range` must then be positive
+  std::optional<double> threshold = {};  ///< field values below it are coloured red; absent for none
 };
 
 /// Returns the colour scale of the picture of a field. On a logarithmic scale, an automatic range that reaches 0 begins

@@ -142,7 +142,7 @@ OrderedJson comparison_json(const AlignedMethods& methods, std::span<const Metho
           {"test", name_of(options.test)},
           {"blocks", name_of(options.blocks)},
           {"units", comparisons.empty() ? 0 : comparisons[0].units},
-          {"smallest_p", comparisons.empty() ? 0 : smallest_p_value(options, comparisons[0].units)},
+          {"smallest_p", comparisons.empty() ? 0 : min_attainable_p_value(options, comparisons[0].units)},
           {"queries", methods.classes.size()},
           {"confidence", options.confidence},
           {"resamples", options.resampling.resamples},
@@ -151,7 +151,7 @@ OrderedJson comparison_json(const AlignedMethods& methods, std::span<const Metho
 }
 
 std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options) {
-  const double smallest = smallest_p_value(options, comparison.units);
+  const double smallest = min_attainable_p_value(options, comparison.units);
   const auto pairs = static_cast<double>(comparison.pairs.size());
   const double alpha = significance_level(options.confidence);
   if (pairs * smallest <= alpha) return few_classes_warning(comparison, alpha);

@@ -15,13 +15,13 @@ namespace shapegauge {
 
 /// Makes a table with a row for each method: a letter, its name, and its average for each measure with the confidence
 /// interval. A score is followed by the letters of the methods that it is significantly better than: p, after Holm's
-/// correction, at most 1 - confidence. The best of each measure is bold. `comparisons` has one entry per measure.
+/// correction, at most 1 - confidence. The best of each measure is bold. `comparisons` has one per measure.
 TextTable comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                              const ComparisonOptions& options, const ScoreStyle& style);
 
 /// Makes a table with a row for each measure and pair of methods: measure, first, second, difference, its interval
 /// (low, high), p, p_holm, p_tukey, effect_size, and the numbers of queries that the first method wins, ties, loses.
-/// With `exact`, p-values have all digits, for files.
+/// With `exact`, p-values have all digits, for files; otherwise they are rounded.
 TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                       const ScoreStyle& style, bool exact);
 

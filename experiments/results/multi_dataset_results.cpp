@@ -18,7 +18,8 @@ using MultiDatasetJson = nlohmann::ordered_json;
 
 // Averages of a method, by measure.
 Eigen::VectorXd averages_of_method(const MethodScores& scores, Average average) {
-  const UnitValues units = units_of(scores.values, class_numbers(scores.classes), ResamplingUnit::queries, average);
+  const UnitValues units =
+      unit_values_of(scores.values, class_numbers(scores.classes), ResamplingUnit::queries, average);
   Eigen::VectorXd averages(units.values.cols());
   for (Eigen::Index k = 0; k < averages.size(); ++k) {
     averages[k] = averages_of({.values = units.values.col(k), .weights = units.weights})[0];

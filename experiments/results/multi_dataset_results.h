@@ -17,13 +17,13 @@ namespace shapegauge {
 
 /// Data set of a multi-dataset experiment with the scores of all methods.
 struct EvaluatedDataset {
-  std::string name;
-  std::string folder;  ///< folder of the data set's results, relative to that of all results
-  std::string page;    ///< address of the data set's page, relative to the folder of all results; may be empty
-  std::size_t models = 0;
+  std::string name;        ///< name of the data set
+  std::string folder;      ///< folder of the data set's results, relative to the folder of all results
+  std::string page;        ///< address of the data set's page, relative to the folder of all results; empty if none
+  std::size_t models = 0;  ///< number of models of the data set
   std::vector<MethodScores> scores;  ///< scores, one entry per method and protocol
-  /// Per entry of `scores`: standard deviation over repetitions of the micro (macro) average of each measure; may be
-  /// empty.
+  /// For each of `scores`: standard deviation over repetitions of the micro (macro) average of each measure. Empty
+  /// for an experiment, which has no repetitions.
   /// @{
   std::vector<Eigen::VectorXd> micro_deviations{};
   std::vector<Eigen::VectorXd> macro_deviations{};
@@ -32,13 +32,13 @@ struct EvaluatedDataset {
 
 /// Results of methods on several data sets: scores per data set, tables with ranks and tests, failures.
 struct MultiDatasetResults {
-  std::string name;
-  std::string description;
-  std::vector<std::string> methods;
-  std::vector<EvaluatedDataset> datasets;
-  std::vector<MultiDatasetTable> tables;  ///< one table per protocol, average and measure
-  std::string main_measure;               ///< measure in summaries: mAP if it is computed, else the first
-  double alpha = 0.05;                    ///< level of significance
+  std::string name;                        ///< name of the experiment
+  std::string description;                 ///< description for pages; empty if there is none
+  std::vector<std::string> methods;        ///< names of the methods
+  std::vector<EvaluatedDataset> datasets;  ///< data sets with the scores of all methods
+  std::vector<MultiDatasetTable> tables;   ///< one table per protocol, average and measure
+  std::string main_measure;                ///< measure in summaries: mAP if it is computed, else the first
+  double alpha = 0.05;                     ///< significance level of the tests
   std::vector<std::pair<std::string, std::string>> failures;  ///< names of data sets left out, and the reasons
 };
 

@@ -18,21 +18,22 @@ namespace shapegauge {
 
 /// Score as one evaluator (an evaluation program, metrics/evaluators.h) computes it, for all methods.
 struct AuditedScore {
-  std::string evaluator;             ///< name; "shapegauge": definitions of this library, mean over all orders of ties
-  std::string quantity;              ///< measured quantity, such as "FT"; scores of equal quantity are compared
-  std::string measure;               ///< definition of the quantity by the evaluator, such as "shrec21.FT"
-  Eigen::VectorXd values;            ///< per method: mean over queries, as a fraction
-  std::vector<std::size_t> ranks{};  ///< per method: 1 + the number of methods with a larger value
+  std::string evaluator;   ///< name of the evaluator; "shapegauge": this library, mean over all orders of ties
+  std::string quantity;    ///< common name of the measure, such as "FT"; scores of equal name are compared
+  std::string measure;     ///< name of the measure as the evaluator defines it, such as "shrec21.FT"
+  Eigen::VectorXd values;  ///< per method: mean score over queries, as a fraction
+  std::vector<std::size_t> ranks{};  ///< per method: 1 + the number of methods with a larger score
 };
 
 /// Scores of the same methods by all evaluators, to compare evaluation programs.
 struct ProtocolAudit {
-  std::vector<std::string> methods;
+  std::vector<std::string> methods;  ///< distinct names of the methods
   std::vector<AuditedScore> scores;  ///< scores of all evaluators, those of shapegauge first
   /// For each score of shapegauge, one entry per method: averages over queries with intervals of scores and ranks.
   std::vector<std::vector<MethodStanding>> standings;
-  std::vector<Eigen::Index> queries_with_ties;  ///< per method: number of queries with relevant and other models tied
-  std::vector<std::string> warnings;            ///< warnings about files and omitted evaluators, one sentence each
+  /// Per method: number of queries with relevant and irrelevant models at equal distance.
+  std::vector<Eigen::Index> queries_with_ties;
+  std::vector<std::string> warnings;  ///< warnings about files and omitted evaluators, one sentence each
 };
 
 /// Progress callback: receives the name of the next evaluator and the numbers of completed and of all evaluators.

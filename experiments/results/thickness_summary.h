@@ -18,15 +18,15 @@ inline constexpr std::array<int, 7> summary_percentiles{1, 5, 25, 50, 75, 95, 99
 
 /// Area-weighted statistics of the thickness of a shape.
 struct ThicknessSummary {
-  std::size_t samples = 0;
+  std::size_t samples = 0;  ///< number of samples of the shape, with and without a value
   std::size_t missing = 0;  ///< number of samples without a value; the statistics ignore them
   double area = 0;          ///< total area of the samples with a value, in squared units of the shape
-  double least = 0;         ///< smallest value
-  double greatest = 0;      ///< largest value
-  double mean = 0;
+  double least = 0;         ///< smallest thickness
+  double greatest = 0;      ///< largest thickness
+  double mean = 0;          ///< area-weighted mean of the thickness
   /// Weighted percentiles (summary_percentiles): the smallest values whose cumulative area reaches the percentage.
   std::array<double, summary_percentiles.size()> percentiles{};
-  std::optional<double> area_below = {};  ///< area of samples with values below the threshold, if any
+  std::optional<double> area_below = {};  ///< area of samples below the threshold; absent without a threshold
 };
 
 /// Computes the summary of a thickness field. Values are NaN and areas 0 if no sample has a value. Without a threshold,
@@ -35,14 +35,14 @@ ThicknessSummary summarise(const ScalarField& field, std::optional<double> thres
 
 /// Thickness summary with the name of its shape.
 struct NamedSummary {
-  std::string name;
-  ThicknessSummary summary;
+  std::string name;          ///< name of the shape, such as its file
+  ThicknessSummary summary;  ///< statistics of the thickness
 };
 
 /// Unit and threshold for tables of thickness summaries.
 struct SummaryWords {
   std::string unit = {};                 ///< unit of lengths, such as "mm"; empty if unknown
-  std::optional<double> threshold = {};  ///< threshold of the thickness in `unit`, as passed to summarise()
+  std::optional<double> threshold = {};  ///< threshold of the thickness in `unit`, see summarise(); absent for none
 };
 
 /// Makes a table of thickness summaries with a row for each shape. Areas below the threshold are in percent of the

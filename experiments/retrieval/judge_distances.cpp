@@ -78,13 +78,14 @@ void visit_distances(const NamedDistance& distance, const Signatures& signatures
   }
 }
 
-double largest_of_first(const NamedDistance& distance, const Signatures& signatures) {
+double largest_distance_from_first(const NamedDistance& distance, const Signatures& signatures) {
   const DistanceMatrix row = distances_between(distance, {signatures.topRows(1), 0}, {signatures, 0});
   return largest_finite({row.data(), static_cast<std::size_t>(row.size())}, 0);
 }
 
-RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
-                     const std::function<void(const RowVisitor&)>& visit, double& seconds) {
+RowScores evaluate_row_range(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations,
+                             const RowRange& rows, const std::function<void(const RowVisitor&)>& visit,
+                             double& seconds) {
   std::vector<RowEvaluator> evaluators;
   for (const EvaluationOptions& options : evaluations) evaluators.emplace_back(task, options, rows.first, rows.last);
   visit([&](Eigen::Index first, const DistanceTable& some) {

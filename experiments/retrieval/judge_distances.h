@@ -18,8 +18,8 @@ namespace shapegauge {
 
 /// Half-open range [first, last) of rows of a distance matrix.
 struct RowRange {
-  Eigen::Index first = 0;
-  Eigen::Index last = 0;
+  Eigen::Index first = 0;  ///< index of the first row
+  Eigen::Index last = 0;   ///< index after that of the last row
 };
 
 /// Callback for a block of consecutive rows of a distance matrix; `first` is the index of the first row of the block.
@@ -31,10 +31,10 @@ using RowVisitor = std::function<void(Eigen::Index first, const DistanceTable& r
 void visit_distances(const NamedDistance& distance, const Signatures& signatures, const RowRange& rows,
                      const RowVisitor& visit);
 
-/// Returns the largest finite distance in the first row of the distance matrix of the signatures (largest_finite()).
-double largest_of_first(const NamedDistance& distance, const Signatures& signatures);
+/// Returns the largest finite distance from the first signature to the others (largest_finite()), to scale heat maps.
+double largest_distance_from_first(const NamedDistance& distance, const Signatures& signatures);
 
-/// Scores of the queries in a range of rows of a distance matrix: one QueryScores per evaluation (protocol).
+/// Scores of the queries in a range of rows of a distance matrix: one QueryScores per evaluation protocol.
 using RowScores = std::vector<QueryScores>;
 
 SHAPEGAUGE_MEMBERS(QueryScores, measures, precisions, relevant, tied, first_tiers)
@@ -42,8 +42,9 @@ SHAPEGAUGE_MEMBERS(QueryScores, measures, precisions, relevant, tied, first_tier
 /// Evaluates a range of rows of a distance matrix with each of the evaluation options. visit() must pass these rows in
 /// order to the visitor that it receives. Adds the time of the evaluation to `seconds`. Parallel. Throws as
 /// RowEvaluator does.
-RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
-                     const std::function<void(const RowVisitor&)>& visit, double& seconds);
+RowScores evaluate_row_range(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations,
+                             const RowRange& rows, const std::function<void(const RowVisitor&)>& visit,
+                             double& seconds);
 
 /// Combines scores of ranges of rows into one evaluation per entry of `evaluations`. `parts` has the scores of
 /// consecutive ranges, in order, which cover all rows of the matrix.
@@ -53,19 +54,19 @@ std::vector<Evaluation> evaluations_of(const RetrievalTask& task, std::span<cons
 /// Writer of a `.npy` file with a square distance matrix, by rows.
 class MatrixFile {
  public:
-  /// Creates the file for a matrix of models by models. Throws std::runtime_error "cannot write <path>: <reason>", as
-  /// add() and close() do.
+  /// Creates the file for a matrix of `models` rows and columns. Throws std::runtime_error "cannot write <path>:
+  /// <reason>", as add() and close() do.
   MatrixFile(std::filesystem::path path, std::size_t models);
 
-  /// Appends rows to the matrix.
+  /// Appends a block of rows to the file.
   void add(const DistanceTable& rows);
-  void close();
+  void close();  ///< completes the file
 
  private:
-  void check() const;
+  void check() const;  ///< throws std::runtime_error if writing has failed
 
-  std::filesystem::path path_;
-  std::ofstream file_;
+  std::filesystem::path path_;  ///< path of the file, for messages
+  std::ofstream file_;          ///< opened file
 };
 
 }  // namespace shapegauge

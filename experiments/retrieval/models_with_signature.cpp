@@ -6,16 +6,16 @@
 namespace shapegauge {
 
 ModelsWithSignature::ModelsWithSignature(const std::vector<ModelFailure>& without, std::size_t all)
-    : is_in_(all, true) {
-  for (const ModelFailure& failure : without) is_in_[failure.model] = false;
+    : has_signature_(all, true) {
+  for (const ModelFailure& failure : without) has_signature_[failure.model] = false;
   for (std::size_t i = 0; i < all; ++i) {
-    if (is_in_[i]) places_.push_back(static_cast<Eigen::Index>(i));
+    if (has_signature_[i]) places_.push_back(static_cast<Eigen::Index>(i));
   }
 }
 
 DistanceMatrix ModelsWithSignature::spread(DistanceMatrix between) const {
-  if (are_all()) return between;
-  const auto all = std::ssize(is_in_);
+  if (has_all_models()) return between;
+  const auto all = std::ssize(has_signature_);
   DistanceMatrix distances = DistanceMatrix::Constant(all, all, std::numeric_limits<double>::infinity());
   distances(places_, places_) = between;
   distances.diagonal().setZero();
@@ -25,16 +25,16 @@ DistanceMatrix ModelsWithSignature::spread(DistanceMatrix between) const {
 void ModelsWithSignature::set_infinite(DistanceMatrix& rows, Eigen::Index first) const {
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     for (Eigen::Index j = 0; j < rows.cols(); ++j) {
-      if (is_in_[static_cast<std::size_t>(first + i)] && is_in_[static_cast<std::size_t>(j)]) continue;
+      if (has_signature_[static_cast<std::size_t>(first + i)] && has_signature_[static_cast<std::size_t>(j)]) continue;
       rows(i, j) = first + i == j ? 0 : std::numeric_limits<double>::infinity();
     }
   }
 }
 
-Signatures ModelsWithSignature::with_stand_ins(const Signatures& rows) const {
+Signatures ModelsWithSignature::with_placeholder_rows(const Signatures& rows) const {
   Signatures filled = rows;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    if (!is_in_[static_cast<std::size_t>(i)]) filled.row(i) = rows.row(places_.front());
+    if (!has_signature_[static_cast<std::size_t>(i)]) filled.row(i) = rows.row(places_.front());
   }
   return filled;
 }

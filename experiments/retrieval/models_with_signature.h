@@ -14,10 +14,12 @@ namespace shapegauge {
 /// signature and are infinitely far from all others.
 class ModelsWithSignature {
  public:
-  /// Makes the subset of `all` models without the failed ones; `without` has their indices, from 0 to all - 1.
+  /// Makes the subset of the models 0 to all - 1 that leaves out those in `without` (ModelFailure::model).
   ModelsWithSignature(const std::vector<ModelFailure>& without, std::size_t all);
 
-  [[nodiscard]] bool are_all() const { return places_.size() == is_in_.size(); }
+  /// Returns true if every model has a signature.
+  [[nodiscard]] bool has_all_models() const { return places_.size() == has_signature_.size(); }
+  /// Returns the indices of the models with a signature, in ascending order.
   [[nodiscard]] const std::vector<Eigen::Index>& places() const { return places_; }
 
   /// Expands the distances between models with a signature (`between`) to all models: infinite for models without one,
@@ -28,13 +30,13 @@ class ModelsWithSignature {
   /// the distance matrix of all models. `first` is the index of the first row of the block.
   void set_infinite(DistanceMatrix& rows, Eigen::Index first) const;
 
-  /// Returns the signatures of all models (one per row) in which models without one have the row of the first model
-  /// that has one, so that all distances are defined.
-  [[nodiscard]] Signatures with_stand_ins(const Signatures& rows) const;
+  /// Returns `rows`, the signatures of all models, with the row of each model without a signature replaced by that of
+  /// the first model with one, so that all distances are defined.
+  [[nodiscard]] Signatures with_placeholder_rows(const Signatures& rows) const;
 
  private:
-  std::vector<bool> is_in_;
-  std::vector<Eigen::Index> places_;
+  std::vector<bool> has_signature_;   ///< per model: true if the model has a signature
+  std::vector<Eigen::Index> places_;  ///< indices of the models with a signature
 };
 
 }  // namespace shapegauge

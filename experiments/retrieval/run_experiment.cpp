@@ -76,9 +76,9 @@ PartOutcome run_part_of_experiment(const Configuration& configuration, const Run
     check_queries(dataset.models, configuration.evaluation);
     outcome = describe_part(dataset, configuration, context, part);
     if (!has_streamed_methods(configuration, dataset.models.size())) return;
-    if (!are_described(dataset, configuration, context)) return;
+    if (!are_all_described(dataset, configuration, context)) return;
     const ComputedSignatures computed = compute_signatures(dataset, configuration, context);
-    outcome.rows = judge_part(configuration, context, models_of(dataset, computed), computed, part);
+    outcome.rows = evaluate_part_of_rows(configuration, context, models_of(dataset, computed), computed, part);
   });
   return outcome;
 }

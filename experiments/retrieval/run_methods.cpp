@@ -56,7 +56,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
   std::vector<DistanceMatrix> parts;
   for (const std::size_t part : signature.parts) {
     const DistanceMatrix& all = distances[part];
-    parts.push_back(holders.are_all() ? all : DistanceMatrix(all(holders.places(), holders.places())));
+    parts.push_back(holders.has_all_models() ? all : DistanceMatrix(all(holders.places(), holders.places())));
   }
   try {
     remark = remark_on(*signature.derived, parts);
@@ -171,7 +171,8 @@ class MethodsRun {
     const auto distances_of = [&](const Signatures& table) {
       return distances_through_cache(table, distance_between(signature, *configuration_), context_->cache);
     };
-    return holders.are_all() ? distances_of(all) : holders.spread(distances_of(all(holders.places(), Eigen::all)));
+    return holders.has_all_models() ? distances_of(all)
+                                    : holders.spread(distances_of(all(holders.places(), Eigen::all)));
   }
 
   [[nodiscard]] StreamedRows streamed_rows(std::size_t i, const Signatures& rows) const {
@@ -179,7 +180,7 @@ class MethodsRun {
     std::string key = distances_key(rows, distance.name);
     return {.signature = i,
             .distance = std::move(distance),
-            .rows = holders_[i].are_all() ? rows : holders_[i].with_stand_ins(rows),
+            .rows = holders_[i].has_all_models() ? rows : holders_[i].with_placeholder_rows(rows),
             .key = std::move(key)};
   }
 
@@ -188,7 +189,7 @@ class MethodsRun {
     const ModelsWithSignature& holders = holders_[streamed.signature];
     visit_distances(streamed.distance, streamed.rows, rows, [&](Eigen::Index first, const DistanceTable& some) {
       stop_if_interrupted();
-      if (holders.are_all()) return visitor(first, some);
+      if (holders.has_all_models()) return visitor(first, some);
       DistanceMatrix rows_with_gaps = some;
       holders.set_infinite(rows_with_gaps, first);
       visitor(first, rows_with_gaps);
@@ -234,7 +235,7 @@ class MethodsRun {
           if (also) also(first, some);
         });
       };
-      return judge_rows(task_, evaluations_, rows, visit_rows, seconds);
+      return evaluate_row_range(task_, evaluations_, rows, visit_rows, seconds);
     });
     if (found && also) visit(streamed, rows, also);
     return scores;
@@ -251,7 +252,7 @@ class MethodsRun {
         if (also) also(first, some);
       }
     };
-    return judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_rows, seconds);
+    return evaluate_row_range(task_, evaluations_, {.first = 0, .last = all}, visit_rows, seconds);
   }
 
   /// Evaluates the distances of one signature; returns the seconds of evaluation.
@@ -261,10 +262,10 @@ class MethodsRun {
     std::optional<MatrixFile> file;
     if (configuration_->keep_distances && !distance_files_->empty())
       file.emplace((*distance_files_)[i], labels_.size());
-    std::optional<PartialOverview> overview;
+    std::optional<OverviewAccumulator> overview;
     if (configuration_->report.wanted) {
       const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
-                                   : largest_of_first(streamed.distance, streamed.rows);
+                                   : largest_distance_from_first(streamed.distance, streamed.rows);
       overview = begin_overview(labels_, largest);
     }
     RowVisitor also;
@@ -321,8 +322,9 @@ bool has_streamed_methods(const Configuration& configuration, std::size_t models
                              [&](bool in_derived) { return !is_in_memory(in_derived, models); });
 }
 
-std::size_t judge_part(const Configuration& configuration, const RunContext& context, const std::vector<Model>& models,
-                       const ComputedSignatures& computed, const Part& part) {
+std::size_t evaluate_part_of_rows(const Configuration& configuration, const RunContext& context,
+                                  const std::vector<Model>& models, const ComputedSignatures& computed,
+                                  const Part& part) {
   return MethodsRun(configuration, {}, context, models, computed.without).run_part(computed, part);
 }
 

@@ -12,12 +12,12 @@
 
 namespace shapegauge {
 
-/// Checks that at least one of the models is a query. Throws ArgumentError otherwise, such as for a minimum class size
-/// that no class has.
+/// Throws ArgumentError if none of the models is a query, such as for a minimum class size that no class reaches.
 void check_queries(const std::vector<Model>& models, const EvaluationOptions& options);
 
 /// Computes and evaluates the distances of all methods of a run, and adds them to results.methods. Moves the signatures
-/// from `computed` to the results. `distance_files` has a `.npy` path for each signature; may be empty.
+/// from `computed` to the results. `distance_files` has a `.npy` path for each signature; if empty,
+/// distances are not written.
 ///
 /// Distances are streamed: computed, evaluated and written by rows (judge_distances.h), with the scores of rows in the
 /// cache. Whole matrices are in memory in three cases: for derived distances and the distances that they derive from;
@@ -31,7 +31,8 @@ bool has_streamed_methods(const Configuration& configuration, std::size_t models
 
 /// Evaluates one part (engine/part.h) of the rows of all streamed distance matrices and stores the scores in the cache.
 /// Returns the number of evaluated rows. `models` are the models with signatures. Throws Interrupted.
-std::size_t judge_part(const Configuration& configuration, const RunContext& context, const std::vector<Model>& models,
-                       const ComputedSignatures& computed, const Part& part);
+std::size_t evaluate_part_of_rows(const Configuration& configuration, const RunContext& context,
+                                  const std::vector<Model>& models, const ComputedSignatures& computed,
+                                  const Part& part);
 
 }  // namespace shapegauge

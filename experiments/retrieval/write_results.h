@@ -12,7 +12,7 @@ namespace shapegauge {
 /// memory only in the cases that run_methods() lists.
 Experiment retrieval_experiment(Configuration configuration);
 
-/// Returns the entry of experiment_kinds() for retrieval experiments.
+/// Returns the kind of experiment "retrieval", for experiment_kinds().
 ExperimentKind retrieval_kind();
 
 /// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) except the manifest and the

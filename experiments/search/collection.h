@@ -12,15 +12,16 @@ namespace shapegauge {
 /// Shape file of a collection.
 struct CollectionFile {
   std::string id;              ///< id of the shape, unique in the collection
-  std::filesystem::path path;  ///< relative to Collection::base if below it
+  std::filesystem::path path;  ///< path of the file; relative to Collection::base for a file below that folder
 };
 
 /// Searchable collection of shape files, which queries are compared with.
 struct Collection {
   std::filesystem::path base;         ///< folder that relative paths of files start from
   std::vector<CollectionFile> files;  ///< shape files, in natural order of ids
-  SkippedEntries skipped = {};        ///< entries of folders that are not shapes of the collection
+  SkippedEntries skipped = {};        ///< numbers of files and folders that are not shapes of the collection
 
+  /// Returns the path of a file of the collection; relative paths start from `base`.
   [[nodiscard]] std::filesystem::path file(const std::filesystem::path& path) const { return base / path; }
 };
 
@@ -40,8 +41,8 @@ std::string collection_location(const std::filesystem::path& path);
 /// Returns the base folder (Collection::base) of the collection at a path, which need not exist any more.
 std::filesystem::path collection_base(const std::filesystem::path& path);
 
-/// Returns the default file of a collection's index, next to the collection. `method` is the file of the search method;
-/// empty for the recommended method.
+/// Returns the default path of the search index of a collection, next to the collection. `method` is the configuration
+/// file of the search method; empty for the recommended method.
 std::filesystem::path default_index_path(const std::filesystem::path& collection,
                                          const std::filesystem::path& method = {});
 

@@ -81,7 +81,8 @@ std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& di
   return found;
 }
 
-NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, int count, const RunControl& control) {
+NearestModels nearest_models_in_index(const SearchMethod& method, const ShapeIndex& index, int count,
+                                      const RunControl& control) {
   std::vector<TermDistances> terms;
   for (std::size_t k = 0; k < method.terms.size(); ++k) {
     control.progress("neighbours", k, 2 * method.terms.size());

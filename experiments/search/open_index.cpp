@@ -257,7 +257,7 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
   return index;
 }
 
-OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file) {
+OpenIndex open_index_without_update(SearchMethod method, const fs::path& collection, const fs::path& file) {
   OpenIndex index{.method = std::move(method), .collection = {}, .file = file, .contents = {}};
   IndexFault fault = IndexFault::damaged;
   std::optional<ShapeIndex> contents = decode_index(map_file(file), index.method.key(), fault);

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A page of answers has fewer shapes than a report.
-constexpr ViewFaces view_faces{.in_total = 600'000, .fewest = 600, .most = 6000};
+constexpr ViewFaces view_faces{.max_total = 600'000, .fewest = 600, .most = 6000};
 
 /// Adds the thickness at the vertices of a shape, if it is defined.
 void add_thickness(ShapeView& view) {
@@ -101,7 +101,7 @@ std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery>
   SearchPage page{.title = title, .facts = {}, .shapes = {}, .answers = {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const SearchAnswer& answer = answers[i];
-    SearchPageAnswer& shown = page.answers.emplace_back();
+    SearchPageResult& shown = page.answers.emplace_back();
     shown.query = answer.member ? shapes.add_model(*answer.member) : shapes.add_query(queries[i]);
     shown.failure = answer.failure;
     const double unit = answer.median > 0 ? answer.median : 1;

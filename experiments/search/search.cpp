@@ -43,7 +43,7 @@ std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& ind
 /// Describes a shape that is not in a file.
 ModelDescription description_of(const Shape& shape, const Configuration& configuration, std::span<const Field> fields) {
   Cache none;
-  Bench bench(
+  CachedShape bench(
       "", [&] { return PerturbedShape{.shape = shape, .chosen = {}}; }, configuration.preparation, true, none);
   return describe_shape(bench, configuration, fields, {});
 }
@@ -94,7 +94,7 @@ class QueryDescriber {
       if (!choice || !needs_learning(*choice)) continue;
       std::vector<ScalarField> fields;
       for (const Field& field : choice->fields) {
-        fields.push_back(kept_field(description.fields[index_of(fields_, field)]));
+        fields.push_back(to_scalar_field(description.fields[index_of(fields_, field)]));
       }
       description.features[i] =
           describe_features(*choice, {.shape = none, .fields = fields}, index_->contents.learnt[i]);
@@ -135,7 +135,7 @@ void require_neighbours(OpenIndex& index, const RunControl& control, std::vector
   const auto models = std::ssize(index.contents.models);
   const auto wanted = std::min<Eigen::Index>(count, models - 1);
   if (index.contents.nearest.indices.rows() == models && index.contents.nearest.indices.cols() == wanted) return;
-  index.contents.nearest = nearest_in(index.method, index.contents, count, control);
+  index.contents.nearest = nearest_models_in_index(index.method, index.contents, count, control);
   write_index(index, notes);
 }
 
@@ -148,7 +148,7 @@ std::vector<RankedModel> reranked(const OpenIndex& index, const Eigen::VectorXd&
   }
   Eigen::VectorXd with_itself(distances.size() + 1);
   with_itself << distances, 0;
-  return diffused_nearest(with_query(nearest, distances, neighbours_for(index.method)), distances.size(), with_itself,
+  return diffused_nearest(append_query(nearest, distances, neighbours_for(index.method)), distances.size(), with_itself,
                           index.method.diffusion, count);
 }
 

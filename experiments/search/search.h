@@ -24,17 +24,17 @@ namespace shapegauge {
 
 /// Changes that opening an index made, and notes for users.
 struct IndexUpdate {
-  bool rebuilt = false;                ///< the collection was described again and the index written
-  std::vector<LeftOutShape> left_out;  ///< new or changed files that cannot be described
+  bool rebuilt = false;                ///< true if an unusable or outdated index was computed again
+  std::vector<LeftOutShape> left_out;  ///< new or changed shape files without a signature, with the reasons
   std::vector<std::string> notes;      ///< notes for users, one sentence each
 };
 
-/// Collection of shapes with its search index, ready for queries.
+/// Collection of shapes with its search index, for search().
 struct OpenIndex {
-  SearchMethod method;
-  Collection collection;
+  SearchMethod method;         ///< search method that the index was computed with
+  Collection collection;       ///< shape files of the collection
   std::filesystem::path file;  ///< path of the index file
-  ShapeIndex contents;
+  ShapeIndex contents;         ///< signatures of the shapes and statistics of the collection
 };
 
 /// Opens the index `file` of a collection. If it is absent, damaged, of another method or program, or out of date,
@@ -49,35 +49,35 @@ OpenIndex open_index(SearchMethod method, const std::filesystem::path& collectio
 
 /// Opens an index without reading the files of the collection. Throws InputError for an unusable index, and for one
 /// that was made in another folder and shares no file, by name and size, with `collection`.
-OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
-                              const std::filesystem::path& file);
+OpenIndex open_index_without_update(SearchMethod method, const std::filesystem::path& collection,
+                                    const std::filesystem::path& file);
 
 /// Query of a search: a shape file, or a shape in memory.
 struct SearchQuery {
-  std::string name;
-  std::filesystem::path file;  ///< shape file; if empty, the query is `shape`
-  std::optional<Shape> shape = {};
+  std::string name;                 ///< name of the query in the answer
+  std::filesystem::path file;       ///< shape file; if empty, the query is `shape`
+  std::optional<Shape> shape = {};  ///< query in memory; none if the query is a file
 };
 
 /// Options of a search: number of results and re-ranking.
 struct SearchOptions {
   std::size_t count = 10;  ///< number of results per query
-  bool rerank = false;     ///< re-rank by diffusion over the collection and the query
+  bool rerank = false;     ///< true to re-rank by diffusion over the collection and the query
 };
 
 /// Parameters of SearchOptions.
 inline constexpr std::array search_table = {
     option_of<&SearchOptions::count>("count", {.low = 1, .high = 1'000'000}, "Number of results per query."),
-    option_of<&SearchOptions::rerank>("rerank", "Re-rank by diffusion over the collection."),
+    option_of<&SearchOptions::rerank>("rerank", "Re-rank results by diffusion over the collection's distances."),
 };
 
 /// Answer to one query: the nearest models of the collection with their distances, or the reason of a failure.
 struct SearchAnswer {
   std::string query;                  ///< name of the query (SearchQuery::name)
-  std::optional<std::size_t> member;  ///< index of the model that is the query itself and excluded from the answer
+  std::optional<std::size_t> member;  ///< index of the model that is the query, left out of the answer; absent if none
   std::vector<RankedModel> nearest;   ///< models of the index, nearest first (ties: smaller index first)
-  double median = 0;                  ///< median distance to the models of the collection; 0 if re-ranked
-  std::string failure = {};           ///< reason for a missing answer; otherwise empty
+  double median = 0;         ///< median distance from the query to the models of the collection; 0 if re-ranked
+  std::string failure = {};  ///< reason why the query has no answer; empty if it has one
 };
 
 /// Answers queries independently. A query that is a file of the collection, or has the same contents as one, is not

@@ -35,11 +35,13 @@ bool is_reranked(const SignatureConfiguration& signature) {
 std::string why_not_searchable(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   const SignatureConfiguration& signature = signatures[chosen];
   if (!signature.derived) return "";
-  if (is_reranked(signature)) return "it is re-ranked; use the signature that it re-ranks, and re-rank the answers";
-  if (!std::holds_alternative<SumSettings>(signature.derived->settings)) return "it is a fusion of ranks";
+  if (is_reranked(signature)) return "it is re-ranked; choose the signature that it re-ranks, with `rerank=true`";
+  if (!std::holds_alternative<SumSettings>(signature.derived->settings))
+    return "it fuses ranks of a whole data set; choose a sum";
   for (const std::size_t part : signature.parts) {
     if (!signatures[part].derived) continue;
-    return fmt::format("its term \"{}\" is not computed from each shape", signatures[part].name);
+    return fmt::format("its term \"{}\" combines other signatures; add these to the sum instead",
+                       signatures[part].name);
   }
   return "";
 }
@@ -65,7 +67,8 @@ std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatur
   for (std::size_t i = signatures.size(); i-- > 0;) {
     if (why_not_searchable(signatures, i).empty()) return i;
   }
-  throw InputError(fmt::format("{}: no signature is suitable for searches", source));
+  throw InputError(fmt::format(
+      "{}: all signatures are re-ranked or fused, which searches do not support; add one that is not", source));
 }
 
 /// Inserts the index of a signature, and those of the signatures that it is made from, into `wanted`.

@@ -19,11 +19,11 @@ namespace shapegauge {
 struct SearchMethod {
   std::string name;                ///< name of the signature
   Configuration configuration;     ///< preparation and compared signatures; other settings are ignored
-  std::vector<std::size_t> terms;  ///< indices of the compared signatures: one, or the terms of a sum
-  SumSettings sum;                 ///< settings of the sum of the terms' distances
+  std::vector<std::size_t> terms;  ///< indices in configuration.signatures of the compared ones: one, or those summed
+  SumSettings sum;                 ///< settings of the sum of the distances of all `terms`
   DiffusionOptions diffusion;      ///< options of the diffusion that re-ranks answers
 
-  /// Returns a key of the method and the program; an index with another key cannot be used.
+  /// Returns a key that identifies the settings and the program; an index with another key cannot be used.
   [[nodiscard]] std::string key() const;
 };
 
@@ -47,6 +47,7 @@ std::string recommended_file(RecommendedMethod method);
 /// Returns the text of the configuration file of a recommended search method.
 std::string_view recommended_configuration(RecommendedMethod method);
 
+/// Returns a recommended search method, as its configuration file defines it.
 SearchMethod recommended_search_method(RecommendedMethod method = RecommendedMethod::any);
 
 }  // namespace shapegauge

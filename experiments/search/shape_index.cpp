@@ -77,7 +77,7 @@ std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::strin
   return index;
 }
 
-void keep_in_memory(ShapeIndex& index) {
+void copy_tables_to_memory(ShapeIndex& index) {
   for (IndexTable& table : index.tables) table = IndexTable(table.signatures());
 }
 

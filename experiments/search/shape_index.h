@@ -20,37 +20,38 @@ namespace shapegauge {
 
 /// State of a shape file of a collection when its index was made.
 struct IndexedFile {
-  std::string id;
-  std::string path;         ///< path of the file, relative to Collection::base if below it
-  std::uint64_t bytes = 0;  ///< size of the file
+  std::string id;           ///< id of the shape
+  std::string path;         ///< path of the file; relative to Collection::base for a file below it
+  std::uint64_t bytes = 0;  ///< size of the file in bytes
   std::int64_t modified =
       0;  ///< modification time in ticks of the file clock; 0 if too recent to show that the contents are unchanged
   std::string sha256;        ///< SHA-256 of the file; empty if it could not be read
-  std::string failure = {};  ///< reason why the shape could not be described; otherwise empty
+  std::string failure = {};  ///< reason why the shape has no signatures; empty if it has them
 };
 
 /// Table of signatures, one row per model, in memory or in a memory-mapped index file.
 struct IndexTable {
   IndexTable() = default;
-  explicit IndexTable(Signatures own);
+  explicit IndexTable(Signatures own);  ///< moves signatures to memory that the table owns
 
+  /// Returns a view of the signatures (models x features), valid during the lifetime of the table.
   [[nodiscard]] Eigen::Map<const Signatures> signatures() const { return {entries.get(), rows, columns}; }
 
-  std::shared_ptr<const float> entries;  ///< features, row by row; keeps the memory or the mapped file alive
-  Eigen::Index rows = 0;
-  Eigen::Index columns = 0;
+  std::shared_ptr<const float> entries;  ///< features in row-major order; owns the memory or the mapping of the file
+  Eigen::Index rows = 0;                 ///< number of models
+  Eigen::Index columns = 0;              ///< number of features of a signature
 };
 
 /// Index of a collection of shapes: all signatures and statistics needed to answer queries.
 struct ShapeIndex {
   std::string collection;              ///< absolute path of the collection when the index was written
-  std::vector<IndexedFile> models;     ///< described files, in natural order of ids
-  std::vector<IndexedFile> failures;   ///< files that could not be described
-  std::vector<IndexTable> tables;      ///< per term of the method: table whose row i is the signature of models[i]
-  std::vector<LearntFeatures> learnt;  ///< per signature of the method: features learnt from the collection
+  std::vector<IndexedFile> models;     ///< files of shapes with signatures, in natural order of ids
+  std::vector<IndexedFile> failures;   ///< files of shapes without signatures
+  std::vector<IndexTable> tables;      ///< per SearchMethod::terms: table whose row i is the signature of models[i]
+  std::vector<LearntFeatures> learnt;  ///< per signature of the method: features learnt from the collection, if any
   std::vector<Interval> field_ranges;  ///< per field of distinct_fields(): interval of its values in the collection
   CollectionSum sum;                   ///< statistics of the sum of the terms' distances
-  NearestModels nearest;               ///< nearest models of each model; empty before the first re-ranked search
+  NearestModels nearest;               ///< nearest other models of each model; empty before the first re-ranked search
 };
 
 /// Encodes an index as the bytes of a file: a line with the format, a line with the SHA-256 of the rest, and the data,
@@ -68,6 +69,6 @@ enum class IndexFault { none, damaged, other_method };
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault);
 
 /// Copies the tables of an index into memory, so that they do not depend on the index file.
-void keep_in_memory(ShapeIndex& index);
+void copy_tables_to_memory(ShapeIndex& index);
 
 }  // namespace shapegauge

@@ -114,7 +114,7 @@ TextTable consistency_table(const SegmentationResults& results) {
   return table;
 }
 
-TextTable moved_table(const SegmentationResults& results) {
+TextTable perturbation_effect_table(const SegmentationResults& results) {
   TextTable table;
   table.header = {"Rand from undamaged", "median", "mean", "greatest"};
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {

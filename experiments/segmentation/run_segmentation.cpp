@@ -107,8 +107,8 @@ class SegmentationJob {
   /// Evaluates the parts and draws them. `view_faces` is the number of faces of an interactive view; 0: without one.
   void evaluate(Eigen::Index view_faces) {
     const SegmentationScorer scorer(mesh_, {.by = experiment_.by, .cuts = experiment_.cuts});
-    for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
-    errors.push_back(scorer.errors_among(people_));
+    for (const Labels& labels : result.labels) errors.push_back(scorer.mean_errors_against(labels, people_));
+    errors.push_back(scorer.mean_errors_among(people_));
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
     for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
     for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));

@@ -18,33 +18,33 @@ namespace shapegauge {
 
 /// Segmentations of one shape by all methods, with hashes of the input files, part sizes and pictures.
 struct SegmentedShape {
-  std::string mesh_sha256;
-  std::vector<std::string> people_sha256;
+  std::string mesh_sha256;                        ///< SHA-256 of the mesh file
+  std::vector<std::string> people_sha256;         ///< SHA-256 of the file of each reference segmentation
   std::vector<std::vector<std::int32_t>> labels;  ///< per method: index of the part of each face of the mesh file
-  bool has_polygons = false;                      ///< the mesh file has faces that are not triangles
-  std::vector<std::string> remarks;   ///< deviations of perturbations from their settings, each with its method
-  std::vector<std::string> warnings;  ///< samples without a reliable offset SDF, a sentence for each method
-  std::vector<std::vector<double>> part_sizes;  ///< per method: area fractions of the parts, in descending order
+  bool has_polygons = false;                      ///< true if the mesh file has faces that are not triangles
+  std::vector<std::string> remarks;               ///< sentences on perturbations weaker than requested
+  std::vector<std::string> warnings;              ///< sentences on samples without a reliable offset SDF, per method
+  std::vector<std::vector<double>> part_sizes;    ///< per method: each part's fraction of the surface area, descending
   /// Per method: Rand error between the segmentations with and without its perturbations; NaN for a method without
   /// perturbations.
   std::vector<double> moved;
   std::vector<std::string> pictures;  ///< PNG images of segmentations: a human one, if any, then one per method
-  std::string view = {};              ///< interactive 3D view of the segmentations in `pictures`, as JSON; may be empty
+  std::string view = {};  ///< interactive 3D view of the segmentations, as JSON; empty if the report has no views
 };
 
 /// Results of a segmentation experiment: segmentations of all usable shapes, errors and failures.
 struct SegmentationResults {
-  SegmentationExperiment experiment;
-  SegmentationBenchmark benchmark;  ///< shapes that were segmented, without the failed ones
-  bool has_people = true;           ///< some shapes have reference segmentations
+  SegmentationExperiment experiment;  ///< experiment with its settings
+  SegmentationBenchmark benchmark;    ///< shapes that were segmented, without the failed ones
+  bool has_people = true;             ///< true if at least one shape has a reference segmentation
   SegmentationScores scores;  ///< errors per method; also between people if every shape has several human segmentations
   std::vector<SegmentedShape> shapes;  ///< segmentations of the shapes, in the order of `benchmark`
-  std::vector<LeftOutShape> failures;
+  std::vector<LeftOutShape> failures;  ///< shapes that could not be segmented, with the reasons
   std::vector<SegmentedModel> failed;  ///< failed shapes with their files, in the order of `failures`
-  std::string classification_sha256;   ///< SHA-256 of the classification file when the run began; may be empty
-  CacheReport cache;
-  int threads = 1;
-  std::vector<std::pair<std::string, double>> timings;  ///< name and run time in seconds of each stage
+  std::string classification_sha256;   ///< SHA-256 of the classification file when the run began; empty if none
+  CacheReport cache;                   ///< numbers of results found in the cache and computed
+  int threads = 1;                     ///< number of threads of the run
+  std::vector<std::pair<std::string, double>> timings;  ///< steps of the run with their times in seconds
 };
 
 /// Returns the name of reference segmentations in reports: "a person" for human ones, "reference" for those of the

@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// Returns the entry of experiment_kinds() for segmentation experiments.
+/// Returns the kind of experiment "segmentation", for experiment_kinds().
 ExperimentKind segmentation_kind();
 
 /// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) except the manifest,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -15,7 +16,10 @@
 namespace shapegauge {
 
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction) {
-  if (values.size() != weights.size()) throw ArgumentError("the numbers of values and weights must be equal");
+  if (values.size() != weights.size()) {
+    throw ArgumentError("there are " + std::to_string(weights.size()) + " weights for " +
+                        std::to_string(values.size()) + " values");
+  }
   const double total = weights.sum();
   if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));

@@ -29,28 +29,28 @@ class TrueNormals {
   [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const;
 
  private:
-  UnitFrame frame_;
-  TriangleBVH tree_;
+  UnitFrame frame_;   ///< transformation of points to the coordinates of the search tree
+  TriangleBVH tree_;  ///< search tree over the triangles
 };
 
 /// Area-weighted statistics of the angles between normals and ground-truth normals, in degrees.
 struct NormalErrors {
-  double mean = 0;
-  double median = 0;
-  double percentile_90 = 0;
+  double mean = 0;           ///< mean angle in degrees
+  double median = 0;         ///< median angle in degrees
+  double percentile_90 = 0;  ///< 90th percentile of the angles in degrees
 };
 
 /// Computes the errors of unit normals at points (one per row). Ignores zero normals and zero weights; all errors are
-/// NaN if no normal is left. With `sided`, an opposite normal is wrong by 180 degrees; otherwise it is correct. Runs in
+/// NaN if no normal is left. With `sided`, an opposite normal has an error of 180 degrees; otherwise of 0. Runs in
 /// the calling TBB arena.
 NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const Points& normals,
                            const Eigen::VectorXd& weights, bool sided);
 
 /// Values of a field with the positions of their samples, in the units of the shape's file.
 struct PlacedValues {
-  Points points;
-  Eigen::VectorXd values;  ///< values of the field, one per point, all finite
-  FieldDimension dimension = FieldDimension::length;
+  Points points;                                      ///< positions of the samples, one per row
+  Eigen::VectorXd values;                             ///< values of the field, one per point, all finite
+  FieldDimension dimension = FieldDimension::length;  ///< dimension of the values, such as length or area
 };
 
 /// Selects the samples with a finite value and a positive area and converts them to the units of the shape's file:
@@ -61,7 +61,7 @@ PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values
 /// Errors of a field relative to a reference: unweighted quantiles over samples of |value - reference value|. The
 /// reference value is the value at the nearest sample of the reference.
 struct ValueErrors {
-  double median = 0;                  ///< median error: lengths / diagonal of the reference, areas / diagonal^2
+  double median = 0;                  ///< median error: of lengths / reference diagonal, of areas / squared diagonal
   double percentile_90 = 0;           ///< 90th percentile of the errors, in the units of `median`
   double relative_median = 0;         ///< median of |value - reference value| / |reference value|
   double relative_percentile_90 = 0;  ///< 90th percentile of |value - reference value| / |reference value|

@@ -55,7 +55,7 @@ MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape pe
   std::optional<GroundTruth> itself;
   if (measured.reference) truth = &itself.emplace(*measured.reference);
   Cache none;  // run times are those of computing
-  Bench bench(
+  CachedShape bench(
       "", [&] { return std::move(perturbed); }, comparison.preparation, true, none);
   ModelDescription& description = measured.description;
   static_cast<ShapeFacts&>(description) = bench.facts();

@@ -17,22 +17,22 @@ namespace shapegauge {
 
 /// Results of a shape comparison for one signature: histograms of all shapes and distances from the reference.
 struct SignatureResults {
-  std::size_t field = 0;          ///< field of the signature: index into MeasuredShape::fields
-  Signatures histograms;          ///< row i is the histogram of shape i
-  std::vector<Interval> ranges;   ///< range of each shape's histogram
+  std::size_t field = 0;          ///< index in MeasuredShape::fields of the field of the signature
+  Signatures histograms;          ///< row i is the histogram of ShapeComparisonResults::shapes[i]
+  std::vector<Interval> ranges;   ///< range of the field values that each shape's histogram covers
   std::vector<double> distances;  ///< distance of each shape from the reference; empty without a reference
 };
 
 /// Results of a shape comparison: measurements of all shapes, histograms, distances and failures.
 struct ShapeComparisonResults {
-  ShapeComparison comparison;
-  std::vector<MeasuredShape> shapes;  ///< usable shapes with their measurements, without_values()
-  std::vector<LeftOutShape> failures;
-  std::vector<FieldReport> fields;
-  std::vector<SignatureResults> signatures;  ///< results per signature of the comparison
-  CacheReport cache;
-  int threads = 1;
-  std::vector<std::pair<std::string, double>> timings;  ///< name and run time in seconds of each stage, in order
+  ShapeComparison comparison;                           ///< comparison with its settings
+  std::vector<MeasuredShape> shapes;                    ///< usable shapes with their measurements, but no field values
+  std::vector<LeftOutShape> failures;                   ///< shapes that could not be measured, with the reasons
+  std::vector<FieldReport> fields;                      ///< per field: numbers of samples and run times over all shapes
+  std::vector<SignatureResults> signatures;             ///< results per signature of the comparison
+  CacheReport cache;                                    ///< numbers of results found in the cache and computed
+  int threads = 1;                                      ///< number of threads of the run
+  std::vector<std::pair<std::string, double>> timings;  ///< steps of the run with their times in seconds, in order
 };
 
 /// Runs a whole shape comparison: computes fields, histograms, distances from the reference and errors; shapes are

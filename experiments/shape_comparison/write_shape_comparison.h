@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// Returns the entry of experiment_kinds() for shape comparisons.
+/// Returns the kind of experiment for shape comparisons, for experiment_kinds().
 ExperimentKind comparison_kind();
 
 /// Writes all result files of a shape comparison except the manifest, and adds the entries of the comparison to the

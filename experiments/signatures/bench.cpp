@@ -35,8 +35,8 @@ FeatureDescription describe_features(const DescriptorChoice& choice, const Descr
   return {.features = std::move(features), .seconds = stopwatch.seconds()};
 }
 
-Bench::Bench(std::string key, std::function<PerturbedShape()> read, const PreparationOptions& preparation,
-             bool parallel, Cache& cache)
+CachedShape::CachedShape(std::string key, std::function<PerturbedShape()> read, const PreparationOptions& preparation,
+                         bool parallel, Cache& cache)
     : key_(std::move(key)),
       read_(std::move(read)),
       preparation_(preparation),
@@ -44,7 +44,7 @@ Bench::Bench(std::string key, std::function<PerturbedShape()> read, const Prepar
       cache_(&cache),
       facts_(cache.find<ShapeFacts>(EntryKind::shape, key_)) {}
 
-Bench::Opened& Bench::opened() {
+CachedShape::Opened& CachedShape::opened() {
   if (opened_) return *opened_;
   PerturbedShape perturbed = read_();
   ShapeFacts facts;
@@ -67,14 +67,14 @@ Bench::Opened& Bench::opened() {
   return *opened_;
 }
 
-const ShapeFacts& Bench::facts() {
+const ShapeFacts& CachedShape::facts() {
   if (!facts_) opened();
   return facts_.value();
 }
 
-const PreparedShape& Bench::prepared() { return opened().prepared; }
+const PreparedShape& CachedShape::prepared() { return opened().prepared; }
 
-const Samples& Bench::samples(SamplePlan plan) {
+const Samples& CachedShape::samples(SamplePlan plan) {
   Opened& open = opened();
   // A cloud is sampled at its points for either site.
   if (is_cloud(open.prepared.shape) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
@@ -83,12 +83,12 @@ const Samples& Bench::samples(SamplePlan plan) {
   return place->second;
 }
 
-FieldValues Bench::compute(const Field& field) {
+FieldValues CachedShape::compute(const Field& field) {
   const Samples& sites = samples(field.settings.samples);
   return field.compute(*opened().source, sites, parallel_);
 }
 
-const StoredField& Bench::field(const Field& field) {
+const StoredField& CachedShape::field(const Field& field) {
   const std::string key = field_key(key_, field);
   const auto known = fields_.find(key);
   if (known != fields_.end()) return known->second;
@@ -97,7 +97,7 @@ const StoredField& Bench::field(const Field& field) {
   return fields_.emplace(key, std::move(found)).first->second;
 }
 
-const Eigen::VectorXd& Bench::weights(const SamplePlan& plan) {
+const Eigen::VectorXd& CachedShape::weights(const SamplePlan& plan) {
   const auto known = weights_.find(plan);
   if (known != weights_.end()) return known->second;
   Eigen::VectorXd found =
@@ -105,11 +105,11 @@ const Eigen::VectorXd& Bench::weights(const SamplePlan& plan) {
   return weights_.emplace(plan, std::move(found)).first->second;
 }
 
-ScalarField Bench::values(const Field& what) {
+ScalarField CachedShape::values(const Field& what) {
   return {.values = field(what).values, .weights = weights(what.settings.samples)};
 }
 
-FeatureDescription Bench::features(const DescriptorChoice& choice) {
+FeatureDescription CachedShape::features(const DescriptorChoice& choice) {
   std::vector<std::string> keys;
   for (const Field& field : choice.fields) keys.push_back(field_key(key_, field));
   return cache_->get(EntryKind::features, features_key(key_, choice, keys, ""), [&] {
@@ -120,15 +120,15 @@ FeatureDescription Bench::features(const DescriptorChoice& choice) {
   });
 }
 
-std::string Bench::picture(const Field& what, const PictureOptions& options, const Eigen::Vector3d& up) {
+std::string CachedShape::picture(const Field& what, const PictureOptions& options, const Eigen::Vector3d& up) {
   return cache_->get(EntryKind::picture, picture_key(field_key(key_, what), options, up), [&] {
     const Shape& shape = prepared().shape;
     return model_picture(shape, take_samples(shape, what.settings.samples), field(what).values, options, up);
   });
 }
 
-std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& has_field,
-                        const ShapeDrawing& drawing) {
+std::string CachedShape::view(std::span<const Field> fields, const std::vector<bool>& has_field,
+                              const ShapeDrawing& drawing) {
   std::vector<std::string> keys;
   for (const Field& field : fields) keys.push_back(field_key(key_, field));
   return cache_->get(EntryKind::view, view_key(keys, drawing), [&] {

@@ -26,7 +26,7 @@
 
 namespace shapegauge {
 
-/// Returns the cache key of a result of that kind: SHA-256 of the kind, the program and `depends_on`.
+/// Returns the cache key of a result: SHA-256 of its kind, the program and the inputs `depends_on`.
 std::string result_key(EntryKind kind, const nlohmann::json& depends_on);
 
 /// Model that a shape is read from: the inputs of shape_key() other than settings.
@@ -34,7 +34,7 @@ struct ModelSource {
   std::string_view sha256;     ///< SHA-256 of the model's file
   std::filesystem::path file;  ///< path of the file; only its extension, which selects the format, is used
   std::string_view id;         ///< id of the model; only used by perturbations
-  std::size_t index = 0;       ///< index in the data set; only used by perturbations
+  std::size_t index = 0;       ///< index of the model in the data set; only used by perturbations
 };
 
 /// Returns the key of a model's shape, perturbed and prepared. It does not depend on the file's path nor, without
@@ -63,10 +63,10 @@ std::string picture_key(const std::string& field, const PictureOptions& options,
 /// Returns the key of an interactive view of a shape. `fields` has the field_key() of each field shown.
 std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing);
 
-/// Returns the key of a distance matrix of signatures. `distance` is the name of the distance.
+/// Returns the key of a distance matrix of signatures. `distance` identifies the distance: its name, or distance_of().
 std::string distances_key(const Signatures& signatures, const std::string& distance);
 
-/// Returns a name for a descriptor's own distance, with the version of the descriptor, as distances_key() needs it.
+/// Returns the argument `distance` of distances_key() for a descriptor's own distance: name and version.
 std::string distance_of(const Descriptor& descriptor);
 
 /// Returns the key of the segmentation of a shape by a method. The experiment has the seed of the perturbations and the

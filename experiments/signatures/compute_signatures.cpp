@@ -223,7 +223,7 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
   return outcome;
 }
 
-bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context) {
+bool are_all_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context) {
   const std::vector<Field> fields = distinct_fields(configuration.signatures);
   std::vector<std::size_t> models = models_without(check_models(dataset), dataset.models.size());
   std::ranges::reverse(models);  // the last shapes are described last

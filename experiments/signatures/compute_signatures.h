@@ -18,21 +18,21 @@ namespace shapegauge {
 /// Descriptions, pictures and interactive views of the models that have signatures, for reports.
 struct DescribedShapes {
   std::vector<ModelDescription> shapes;  ///< per model: its description without_values()
-  std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
-  std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
+  std::vector<std::string> pictures;     ///< per model: bytes of a PNG file; empty without pictures
+  std::vector<std::string> views;        ///< per model: JSON of its view (model_view()); empty without views
   std::vector<ViewedField> viewed;       ///< fields in the views, each named after a signature that uses it
-  std::vector<FieldReport> fields;       ///< per field of distinct_fields(): totals over the models
+  std::vector<FieldReport> fields;       ///< per field of distinct_fields(): sample counts and run time over all models
 };
 
 /// Signatures of the models of a data set, with the failures and the statistics of the data set.
 struct ComputedSignatures : DescribedShapes {
-  std::vector<std::size_t> models;     ///< indices in the data set of the models with at least one signature
+  std::vector<std::size_t> models;     ///< data-set indices of the models that have at least one signature
   std::vector<Signatures> signatures;  ///< per signature: table with one row per entry of `models`
-  std::vector<ModelFailure> failures;  ///< models without any signature, with OnError::skip; indices in the data set
+  std::vector<ModelFailure> failures;  ///< models without any signature, by data-set index, with OnError::skip
   /// Per signature: the models that do not have it, although they have another; ModelFailure::model is an index into
   /// `models`.
   std::vector<std::vector<ModelFailure>> without;
-  std::vector<LearntFeatures> learnt;  ///< per signature: features learnt from the data set; empty if none
+  std::vector<LearntFeatures> learnt;  ///< per signature: features learnt from the data set; empty if it learns none
   std::vector<Interval> field_ranges;  ///< per field of distinct_fields(): interval of its values over all models
   std::vector<std::vector<Interval>>
       histogram_ranges;  ///< per signature: range of the histogram of each model; empty for one without field
@@ -53,6 +53,6 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
 
 /// Returns true if the cache has the results per model that compute_signatures() needs, for every model that can be
 /// used.
-bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context);
+bool are_all_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context);
 
 }  // namespace shapegauge

@@ -30,7 +30,7 @@ Lessons lessons_of(const DescribedModels& models, std::span<const Field> fields,
     if (!error_of_fields(model, fields, choice).empty()) continue;
     Lesson& lesson = lessons[index];
     for (const Field& field : choice.fields) {
-      lesson.fields.push_back(kept_field(model.fields[index_of(fields, field)]));
+      lesson.fields.push_back(to_scalar_field(model.fields[index_of(fields, field)]));
       lesson.keys.push_back(field_key(model.shape_key, field));
     }
   }

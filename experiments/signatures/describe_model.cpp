@@ -140,7 +140,7 @@ std::string error_of(OnError on_error, const Work& work) {
   }
 }
 
-FeatureDescription describe_descriptor(Bench& bench, const DescriptorChoice& choice,
+FeatureDescription describe_descriptor(CachedShape& bench, const DescriptorChoice& choice,
                                        const ModelDescription& description, std::span<const Field> fields,
                                        OnError on_error) {
   FeatureDescription features;
@@ -153,8 +153,8 @@ FeatureDescription describe_descriptor(Bench& bench, const DescriptorChoice& cho
 }
 
 /// Adds the picture and the view.
-void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, const ShapeDrawing& drawing,
-          ModelDescription& description) {
+void draw(CachedShape& bench, const Configuration& configuration, std::span<const Field> fields,
+          const ShapeDrawing& drawing, ModelDescription& description) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!is_pictured(fields[i], configuration) || !description.fields[i].error.empty()) continue;
     description.picture = bench.picture(fields[i], configuration.report.picture_options, drawing.up);
@@ -170,7 +170,7 @@ void draw(Bench& bench, const Configuration& configuration, std::span<const Fiel
 
 }  // namespace
 
-ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
+ModelDescription describe_shape(CachedShape& bench, const Configuration& configuration, std::span<const Field> fields,
                                 const ShapeDrawing& drawing) {
   const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
   ModelDescription description;
@@ -224,7 +224,7 @@ ModelDescription describe_opened(const Dataset& dataset, std::size_t model, cons
     return perturb_model(read(opened.file), configuration.perturbations, configuration.seed, dataset.models[model].id,
                          model);
   };
-  Bench bench(opened.key, perturbed, configuration.preparation, parallel, cache);
+  CachedShape bench(opened.key, perturbed, configuration.preparation, parallel, cache);
   const bool viewed = configuration.report.views && dataset.models.size() <= max_models_with_views;
   const ShapeDrawing drawing{.faces = viewed ? faces_of_views(dataset.models.size()) : 0,
                              .up = up_direction(configuration.report.up, dataset.models[model].file)};
@@ -284,7 +284,7 @@ void note_failure(const Dataset& dataset, std::size_t model, const Configuration
   cache.put(EntryKind::shape, key, true);
 }
 
-ScalarField kept_field(const FieldDescription& field) {
+ScalarField to_scalar_field(const FieldDescription& field) {
   return {.values = field.values.cast<double>(), .weights = field.weights.cast<double>()};
 }
 

@@ -39,26 +39,27 @@ std::vector<std::size_t> viewed_fields(std::span<const Field> fields, const Conf
 
 /// Description of one field on one shape: range, outcomes and, if other shapes need them, values.
 struct FieldDescription {
-  Interval range;                ///< smallest and largest value
+  Interval range;                ///< smallest and largest value of the field
   Eigen::VectorXf values;        ///< value at each sample, if a signature needs those of all shapes; otherwise empty
-  Eigen::VectorXf weights;       ///< area represented by each sample; empty if `values` is empty
-  FieldOutcomes outcomes;        ///< number of samples by outcome
-  std::optional<double> offset;  ///< automatic offset, a fraction of the diagonal; none for other fields
-  double seconds = 0;            ///< run time of the field in seconds
-  std::string error = {};        ///< reason why the shape does not have the field, with OnError::skip; otherwise empty
+  Eigen::VectorXf weights;       ///< surface area that each sample represents; empty if `values` is empty
+  FieldOutcomes outcomes;        ///< numbers of samples by outcome of the field
+  std::optional<double> offset;  ///< automatically chosen offset, a fraction of the diagonal; none for other fields
+  double seconds = 0;            ///< run time of the computation of the field in seconds
+  std::string error = {};  ///< reason why the shape lacks the field, with OnError::skip; empty if it has the field
 };
 
-/// Description of one shape, without its mesh.
+/// Description of one shape for signatures and reports, without its mesh.
 struct ModelDescription : ShapeFacts {
   std::string sha256;                        ///< SHA-256 of the shape file; empty for a shape without file
   std::vector<FieldDescription> fields;      ///< descriptions of the distinct_fields(), in order
   std::vector<FeatureDescription> features;  ///< per signature: feature vector, empty if it depends on other shapes
   std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
-  std::string picture;                       ///< PNG bytes of model_picture(); empty if not configured
-  std::string view;                          ///< JSON of model_view(); empty if not configured
+  std::string picture;                       ///< PNG bytes of model_picture(); empty without pictures
+  std::string view;                          ///< JSON of model_view(); empty without views
 };
 
 SHAPEGAUGE_MEMBERS(FieldDescription, range, values, weights, outcomes, offset, seconds, error)
+/// Returns references to the members, for the encoding of cache entries (codec.h).
 inline auto members(ModelDescription& model) {
   return std::tie(static_cast<ShapeFacts&>(model), model.sha256, model.fields, model.features, model.shape_key,
                   model.picture, model.view);
@@ -75,9 +76,9 @@ std::vector<std::string> signature_errors(const ModelDescription& model,
                                           const std::vector<SignatureConfiguration>& signatures,
                                           std::span<const Field> fields);
 
-/// Returns the range of a field's values at samples with these area weights, and the values themselves if the range of
-/// a histogram depends on all shapes. Writes the histograms whose range does not to `features`, one entry per
-/// signature.
+/// Describes the values of a field at samples with these area weights. Computes the histograms of the field whose range
+/// does not depend on other shapes, and writes each to the entry of its signature in `features`. Keeps the values if a
+/// histogram over the range of the data set, or a descriptor that learns, needs those of all shapes.
 FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd& weights, const Field& field,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::vector<FeatureDescription>& features);
@@ -85,7 +86,7 @@ FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd
 /// Describes a shape by its fields, histograms, descriptors, picture and view. Throws InputError for an unusable shape
 /// and, with OnError::stop, for a field or descriptor that the shape does not have. With OnError::skip, the description
 /// records the error of such a field or descriptor.
-ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
+ModelDescription describe_shape(CachedShape& bench, const Configuration& configuration, std::span<const Field> fields,
                                 const ShapeDrawing& drawing);
 
 /// Describes a model of the data set through the cache. Apart from run times, the description is the same, bit by bit,
@@ -107,7 +108,8 @@ ModelDescription without_values(ModelDescription model);
 void note_failure(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache);
 
-/// Returns the values and weights in the description of a field, converted to double precision.
-ScalarField kept_field(const FieldDescription& field);
+/// Returns the values at the samples and their area weights from the description of a field, in double precision. Both
+/// are empty if the description has none.
+ScalarField to_scalar_field(const FieldDescription& field);
 
 }  // namespace shapegauge

@@ -12,7 +12,7 @@
 namespace shapegauge {
 
 Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits) {
-  const auto each = limits.in_total / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1));
+  const auto each = limits.max_total / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1));
   return std::clamp(each, limits.fewest, limits.most);
 }
 
@@ -20,10 +20,10 @@ std::string model_view(const Shape& shape, std::span<const SampledField> fields,
   ShapeView view{
       .name = "", .shape = coarse_shape(shape, drawing.faces), .site = SampleSite::vertices, .up = drawing.up};
   const Samples places = sample_shape(view.shape, view.site);
-  std::map<const Samples*, CarriedValues> carried;  // most fields have the same samples
+  std::map<const Samples*, ValueTransfer> carried;  // most fields have the same samples
   for (const SampledField& field : fields) {
     const auto range = central_range({.values = field.values, .weights = field.samples.weights});
-    const CarriedValues& of_samples = carried.try_emplace(&field.samples, field.samples, places).first->second;
+    const ValueTransfer& of_samples = carried.try_emplace(&field.samples, field.samples, places).first->second;
     view.fields.push_back(
         {.name = "", .values = of_samples.means(field.values), .colours = range.value_or(Interval{})});
   }

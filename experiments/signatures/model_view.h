@@ -20,9 +20,9 @@ inline constexpr std::size_t max_models_with_views = 2000;
 /// Limits of the number of faces in the interactive views on a page. The defaults limit the size of a report to a few
 /// megabytes.
 struct ViewFaces {
-  Eigen::Index in_total = 240'000;  ///< faces of all views on the page
-  Eigen::Index fewest = 200;        ///< lower limit for the faces of one view
-  Eigen::Index most = 3000;         ///< upper limit for the faces of one view
+  Eigen::Index max_total = 240'000;  ///< maximum number of faces of all views on the page together
+  Eigen::Index fewest = 200;         ///< lower bound of the limit of faces per view, even if max_total is exceeded
+  Eigen::Index most = 3000;          ///< upper bound of the limit of faces per view
 };
 
 /// Returns the maximum number of faces of an interactive view, which decreases with the number of models on its page.
@@ -36,8 +36,8 @@ struct ShapeDrawing {
 
 /// Values of a field at samples of a shape.
 struct SampledField {
-  const Samples& samples;
-  const Eigen::VectorXd& values;
+  const Samples& samples;         ///< samples of the shape; not owned
+  const Eigen::VectorXd& values;  ///< one value per sample; NaN if missing
 };
 
 /// Encodes a shape simplified to at most `drawing.faces` faces, or points, with the fields at its vertices, as JSON

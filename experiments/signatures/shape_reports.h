@@ -25,16 +25,16 @@ namespace shapegauge {
 /// diagonal: the offset surface then leaks into the model. False without an offset.
 bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset);
 
-/// Totals of one field over all models of a run.
+/// Sample counts, run time and leaks of one field over all models of a run.
 struct FieldReport {
-  FieldSettings settings;
-  FieldOutcomes outcomes = {};  ///< number of samples by outcome, over all models
-  double seconds = 0;           ///< run time in seconds, summed over the models, including concurrent work
+  FieldSettings settings;       ///< settings of the field
+  FieldOutcomes outcomes = {};  ///< numbers of samples by outcome of the field, over all models
+  double seconds = 0;           ///< sum of the run times on the models, in seconds; models may run concurrently
   std::size_t models = 0;       ///< number of models that have values of the field
   std::size_t leaking = 0;      ///< number of models that the offset surface leaks into (offset_leaks())
 };
 
-/// Returns, per field, its totals over all models.
+/// Returns the FieldReport of each field over all models.
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const Field> fields);
 
@@ -50,8 +50,8 @@ inline constexpr std::string_view not_perturbed = "were not perturbed as request
 /// Returns warnings about the fields, one sentence each: offsets that leak, samples undecided or without a value.
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields);
 
-/// Formats diagnostics as an object with the names of ShapeDiagnostics as keys. `boundary_fraction`, `gap_fraction` and
-/// `noise_fraction` are lengths divided by the bounding-box diagonal; 0 if the length is 0.
+/// Formats diagnostics as a JSON object with the names of ShapeDiagnostics as keys. `boundary_fraction`, `gap_fraction`
+/// and `noise_fraction` are lengths divided by the bounding-box diagonal; 0 if the length is 0.
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 /// Adds columns to a table whose rows are shapes: the choices of perturbations, the diagnostics, results of the
@@ -70,7 +70,7 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Mod
                               std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures);
 
 /// Formats, for each field, its settings, the number of samples by outcome, and the number of shapes with gaps wider
-/// than the offset.
+/// than the offset, as JSON.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
 
 /// Formats the entry "execution" of a manifest: number of threads, seconds by stage and by field, and use of the cache

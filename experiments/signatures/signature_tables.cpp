@@ -26,7 +26,7 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, std
                          const HistogramOptions& options) {
   Signatures table(std::ssize(models), options.bins);
   parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
-    table.row(static_cast<Eigen::Index>(i)) = histogram(kept_field(models[i]->fields[field]), range, options);
+    table.row(static_cast<Eigen::Index>(i)) = histogram(to_scalar_field(models[i]->fields[field]), range, options);
   });
   return table;
 }

@@ -16,8 +16,8 @@
 
 namespace shapegauge {
 
-/// Returns the distance that compares signatures of this kind: that of the descriptor, or else that of the
-/// configuration. The signature must not be derived from distances.
+/// Returns the distance between two feature vectors of a signature: the descriptor's own distance, if it has one,
+/// otherwise the distance of the configuration. The signature must not have derived distances.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
 
 /// Maximum number of models of a cached distance matrix, whose size is then 64 MB. A larger matrix is computed as fast

@@ -120,7 +120,7 @@ class Legend {
                       .stroke = look.colour,
                       .width = 1.4,
                       .dashes = look.dashes});
-        draw_sign(drawing, {x + swatch / 2, y - 3.5}, look);
+        draw_symbol(drawing, {x + swatch / 2, y - 3.5}, look);
       } else {
         drawing.rectangle({x + swatch / 2 - 5, y - 8}, {10, 9}, look.colour);
       }
@@ -231,15 +231,15 @@ void draw_mark(Drawing& drawing, const ChartFrame& frame, const HistogramChart& 
 }  // namespace
 
 MethodLook method_look(std::size_t index) {
-  MethodLook look{.colour = method_colour(index), .dashes = {}, .sign = shifted_method(index, 7)};
-  const std::string_view dashes = method_dashes[shifted_method(index, method_dashes.size())];
+  MethodLook look{.colour = method_colour(index), .dashes = {}, .sign = dash_or_symbol_index(index, 7)};
+  const std::string_view dashes = method_dashes[dash_or_symbol_index(index, method_dashes.size())];
   if (dashes == "none") return look;
   std::istringstream lengths{std::string(dashes)};
   for (double length = 0; lengths >> length;) look.dashes.push_back(length);
   return look;
 }
 
-void draw_sign(Drawing& drawing, DrawingPoint place, const MethodLook& look) {
+void draw_symbol(Drawing& drawing, DrawingPoint place, const MethodLook& look) {
   constexpr double size = 3;
   const auto polygon = [&](int corners, double first, double inner) {
     DrawnPath path{.points = {}, .closed = true, .fill = look.colour};
@@ -324,7 +324,7 @@ Drawing draw_chart(const CurveChart& chart) {
     const std::vector<DrawingPoint> points = path.points;
     drawing.path(std::move(path));
     if (points.size() > 40) continue;  // signs would hide the line
-    for (const DrawingPoint& point : points) draw_sign(drawing, point, look);
+    for (const DrawingPoint& point : points) draw_symbol(drawing, point, look);
   }
   legend.draw(drawing, 12, chart.size.height, true);
   return drawing;

@@ -56,7 +56,8 @@ def check(vertices: Any, faces: Any = None, min_wall: Optional[float] = None, mi
     """Checks the walls and gaps of a mesh against limits, in the units of the input.
 
     min_wall: minimum thickness of walls. min_gap: minimum width of gaps. min_area: regions below this area are only
-    counted.
+    counted. separation_angle_degrees: minimum angle at the ball's centre between its two contacts. threads: 0 for all
+    cores.
 
     >>> report = sg.check(mesh, min_wall=1.2)
     >>> report.passes, [region.minimum for region in report.walls]
@@ -64,7 +65,7 @@ def check(vertices: Any, faces: Any = None, min_wall: Optional[float] = None, mi
     """
     faces, min_wall, min_gap = settings_after(vertices, faces, (min_wall, None), (min_gap, None))
     if min_wall is None and min_gap is None:
-        raise InputError("min_wall or min_gap is required")
+        raise InputError("min_wall or min_gap is required, such as min_wall=1.2")
     wall, gap = (0.0 if limit is None else finite_number(limit, name)
                  for name, limit in (("min_wall", min_wall), ("min_gap", min_gap)))
     points, triangles, _ = shape_arrays(vertices, faces, None)
@@ -72,8 +73,8 @@ def check(vertices: Any, faces: Any = None, min_wall: Optional[float] = None, mi
                           finite_number(separation_angle_degrees, "separation_angle_degrees"),
                           number_of_threads(threads))
     if not found["closed"]:
-        warn(["the mesh is not closed and consistently oriented: walls and gaps are those of its faces as they are "
-              "oriented"])
+        warn(["the mesh is not closed and consistently oriented: where faces point inwards, walls and gaps are exchanged; "
+              "repair the mesh"])
     for side in ("walls", "gaps"):
         found[side] = [ThinRegion(**region) for region in found[side]]
     return CheckReport(**found)

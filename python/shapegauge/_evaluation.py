@@ -39,13 +39,13 @@ class Scores(_abc.Mapping):
         self._name = name
         self.protocol = native.protocol
         self.measures = list(native.measures)
-        self.micro: dict[str, float] = dict(zip(self.measures, native.micro.tolist()))
-        self.macro: dict[str, float] = dict(zip(self.measures, native.macro.tolist()))
+        self.micro: dict[str, float] = dict(zip(self.measures, map(float, native.micro)))
+        self.macro: dict[str, float] = dict(zip(self.measures, map(float, native.macro)))
         self.queries = _numpy.array(native.queries)
         self.query_classes = [class_names[label] if label >= 0 else None for label in native.query_classes]
         self.per_query = {measure: native.per_query[:, k].copy() for k, measure in enumerate(self.measures)}
         self.per_class: dict[Any, dict[str, float]] = {
-            class_names[label]: dict(zip(self.measures, row.tolist()))
+            class_names[label]: dict(zip(self.measures, map(float, row)))
             for label, row in zip(native.classes, native.per_class) if label >= 0
         }
         self.recall = _numpy.array(native.recall)
@@ -131,7 +131,7 @@ def _label(label: Any, row: str, noun: str = "label") -> Any:
     if isinstance(label, _numbers.Real):
         if not float(label).is_integer():
             raise InputError(f"the {noun} of row {row} is {label}; it must be a whole number or text")
-        return int(label)
+        return int(float(label))
     if isinstance(label, (_abc.Iterable, _numbers.Complex)):
         kind = with_article(type(label).__name__)
         raise InputError(f"the {noun} of row {row} is {kind}; it must be a whole number or text")
@@ -210,7 +210,7 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
     if missing and missing_labels == "error":
         found = "label is missing" if len(missing) == 1 else "labels are missing"
         raise InputError(f"{len(missing)} {found}, in {_rows_text([place(row) for row in missing])} (counted from 0); leave "
-                         'these models out, or say missing_labels="no_class": then they are no queries, and relevant to none')
+                         'these models out, or use missing_labels="no_class": they are then neither queries nor relevant')
     hidden = set(missing)
     classes: list[Any] = [None if row in hidden else _label(label, place(row)) for row, label in enumerate(labels)]
     _check_kinds(classes, place)
@@ -233,16 +233,20 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
              confidence: Optional[float] = None, blocks: str = "classes", resamples: int = 10000, seed: int = 1) -> Scores:
     """Evaluates distances against the classes of the models: labels[i] is the class of row i and column i.
 
-    distances: n x n floats, or those of pairs as SciPy's pdist() has them; similarities with similarity=True; or, with
-    distance="l2" or a descriptor's name, features, one row per model. labels: text or integers. protocol: "psb",
-    "paper" or "trec" (default: psb, or trec with relevance). measures: names of measures (default: those of the
-    protocol). ties: "index", "optimistic", "pessimistic" or "expected". missing_labels: "error", or "no_class": a model
-    without a label is not a query, and relevant to none. targets: labels of the columns, if they are other models than
-    the rows. subclasses: those of the models, which grade models of one class for nDCG@N; None, "" or the label of the
-    model: no subclass. relevance: n x n grades instead of labels, 0 for not relevant, negative for not judged. curve:
-    "psb", "paper", "trec", "raw" or "trec_eval" (default: that of the protocol). evaluator: program to reproduce, such as
-    "shrec21", instead of protocol, measures, ties and minimum_class_size. confidence: level of `intervals`, such as 0.95.
-    blocks: unit of resampling, "classes" or "queries".
+    distances: n x n floats, or those of pairs as SciPy's pdist() has them; or, with `distance`, features, one row per
+    model. distance: distance between features, such as "l2", or the name of a descriptor. similarity: larger is more
+    similar. labels: text or integers. protocol: "psb" (a query is removed from its list), "paper" (it is the first hit)
+    or "trec" (as psb, with measures of text retrieval; default with relevance). measures: such as ["NN", "P@10"]
+    (default: those of the protocol). ties: order at equal distance: "index", "optimistic" (relevant models first),
+    "pessimistic" (last) or "expected" (mean over all orders). minimum_class_size: queries of smaller classes are
+    omitted. missing_labels: "error", or "no_class": a model without a label is neither a query nor relevant. targets:
+    labels of the columns, if these are other models than the rows. subclasses: subclass of each model, for nDCG@N;
+    None, "" or the label of the model: none. relevance: n x n grades instead of labels, 0 for not relevant, negative
+    for not judged. curve: interpolation of precision and recall as in "psb", "paper", "trec" or "trec_eval", or "raw"
+    for none (default: that of the protocol). evaluator: program to reproduce, such as "shrec21", instead of protocol,
+    measures, ties and minimum_class_size. confidence: level of `intervals`, such as 0.95 (default: no intervals).
+    blocks: unit of resampling, "classes" or "queries". resamples, seed: number and seed of the resamples. threads: 0
+    for all cores. name: shown in tables.
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
     >>> scores["FT"]
@@ -342,11 +346,11 @@ def _check_arguments(distances: Any, labels: Any, settings: _Settings) -> None:
     if settings.distance is not None and settings.similarity:
         raise InputError("distance applies to features, which are not similarities; omit similarity")
     if labels is None and relevance is None:
-        raise InputError("labels are None; give them, or relevance in their place")
+        raise InputError("labels are None; pass labels, or relevance instead")
     if labels is not None and relevance is not None:
-        raise InputError("give labels, or relevance in their place, not both")
+        raise InputError("labels and relevance exclude each other; omit one")
     if subclasses is not None and (targets is not None or relevance is not None):
-        raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
+        raise InputError("subclasses require the same models in rows and columns; with targets use relevance instead")
     check_order([("rows of " + ("distances" if settings.distance is None else "features"), index_of(distances)),
                  ("labels", index_of(labels)), ("subclasses", index_of(subclasses)),
                  ("rows of relevance", index_of(relevance))])
@@ -418,7 +422,7 @@ def _named_methods(methods: Any) -> dict[str, Any]:
         raise InputError(f"methods must be a dict of names and distances, or a list of distances, not {kind}")
     named = {str(name): distances for name, distances in methods.items()}
     if len(named) < len(methods):
-        raise InputError("two methods have the same name")
+        raise InputError("two keys of methods have the same name as text, as 1 and \"1\" have; rename one")
     if len(named) < 2:
         raise InputError(f"a comparison needs at least two methods, not {len(named)}")
     return named
@@ -430,8 +434,9 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
             missing_labels: str = "error", distance: Optional[str] = None, threads: int = 0) -> Comparison:
     """Compares methods on the same queries. methods: name -> distances, or a list of distances.
 
-    blocks: unit of resampling, "queries", or "classes" as a sample of all classes. distance: distance between features,
-    if the methods are features. The other arguments are those of evaluate(). Returns a Comparison: intervals of the
+    test: significance test of each pair, "randomisation", "t" or "bootstrap". blocks: unit of resampling, "queries", or
+    "classes" as a sample of all classes. confidence: level of the intervals. distance: distance between features, if
+    the methods are features. The other arguments are those of evaluate(). Returns a Comparison: intervals of the
     averages, and for each pair its difference, p-values and effect size. p_classes tests for classes like these.
 
     >>> sg.compare({"a": first, "b": second}, labels, measures=["FT", "DCG"])
@@ -469,10 +474,10 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
          threads: int = 0) -> _numpy.ndarray:
     """Sums distances of the same models, without labels. The result is n x n.
 
-    distances: a list of n x n distances. weight: a number for each; none: all count alike. scale: what each is divided by
-    first, "median", "mean", "none" or "local" (each model's mean distance to its ten nearest); "ranks" replaces
-    the latter by log(1 + mean of the two models' ranks among each other's neighbours). weights: what the weights are multiplied by,
-    "given" (nothing) or "agreement" (of the nearest models with those of the other distances, and with their own nearest).
+    distances: a list of n x n distances. weight: factor of each (default: 1). scale: divisor of each matrix, its
+    "median", "mean", "none" or "local" (each model's mean distance to its ten nearest); "ranks" replaces the latter by
+    log(1 + mean of the two models' ranks among each other's neighbours). weights: "given" (`weight`) or "agreement"
+    (`weight` times factors estimated from how well nearest models agree between matrices and within one).
 
     >>> both = sg.fuse([first, second], scale="ranks", weights="agreement")
     """
@@ -480,7 +485,7 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
     matrices = [square_matrix(matrix) for matrix in listed]
     check_order((f"rows of distances[{i}]", index_of(matrix)) for i, matrix in enumerate(listed))
     if not matrices:
-        raise InputError("distances is an empty list")
+        raise InputError("distances is an empty list; pass at least one matrix")
     numbers = [1.0] * len(matrices) if weight is None else ordered(weight, "weight")
     if len(numbers) != len(matrices):
         raise InputError(f"weight has {len(numbers)} numbers for {len(matrices)} distances")
@@ -493,7 +498,7 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
 def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """Re-ranks distances, unsupervised, using the whole set. The result is n x n.
 
-    method, and its settings: below.
+    method: "diffusion", "k_reciprocal" or "query_expansion". settings: those of the method, below.
 
     >>> better = sg.rerank(distances, neighbours="auto")
     """

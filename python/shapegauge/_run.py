@@ -30,10 +30,11 @@ def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[Path
         threads: int = 0, on_progress: Optional[Progress] = None) -> Run:
     """Runs an experiment from its configuration, as `shapegauge run`. Kinds of experiments: below.
 
-    configuration: path of the file, or a dict, whose paths are relative to the working directory. output: folder for the
-    results (default: results/<name of the file, or of the experiment>). settings: overrides such as
-    ["signatures.0.histogram.bins=40"]. cache: folder of the cache; "" for none. on_progress: called with stage, done and
-    total. Ctrl-C stops the run; completed shapes stay in the cache.
+    configuration: path of the file, or a dict, whose paths are relative to the working directory. output: folder for
+    the results (default: results/<name of the file, or of the experiment>). settings: overrides such as
+    ["signatures.0.histogram.bins=40"]. replace: overwrite results of another configuration. cache: folder of cached
+    results; "" for none. threads: 0 for all cores. on_progress: called with stage, done and total. Ctrl-C stops the
+    run; completed shapes stay in the cache.
 
     >>> sg.run("configs/quickstart.json")
     """

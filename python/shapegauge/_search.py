@@ -78,9 +78,9 @@ class Index:
     """Index of a collection of shape files, as in `shapegauge search` (docs/manual/search.md).
 
     collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: file of the index (default:
-    beside the collection). method: path of a configuration, or a dict (default: the recommended method). signature: name
-    of one of its signatures. articulated: use the recommended method for articulated shapes. update: check
-    for new, changed and removed files; the first time, all are described. cache: folder of the cache; "" for none.
+    next to the collection). method: path of a configuration, or a dict (default: the recommended method). signature:
+    name of one of its signatures. articulated: use the recommended method for articulated shapes. update: check for
+    new, changed and removed files; the first time, all are described. cache: folder of cached results; "" for none.
     on_progress: called with stage, done and total.
 
     >>> index = sg.Index("models")
@@ -137,10 +137,10 @@ class Index:
         """Returns an Answer with the k shapes most similar to the query, or a list of Answers for a list of queries.
 
         query: path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of the
-        collection is excluded from its own answer. rerank: re-rank by diffusion over the collection. page: file for an
-        HTML page with pictures (.html). up: axis that points up on the page: auto (as the files state, otherwise y for
-        OFF, OBJ and glTF, z for others), x, y, z, -x, -y or -z. replace: overwrite an existing page. An unusable single
-        query raises InputError; in a list, its Answer has the failure.
+        collection is excluded from its own answer. rerank: re-rank results by diffusion over the collection's
+        distances. page: file for an HTML page with pictures (.html). up: axis that points up on the page: auto (as the
+        files state, otherwise y for OFF, OBJ and glTF, z for others), x, y, z, -x, -y or -z. replace: overwrite an
+        existing page. An unusable single query raises InputError; in a list, its Answer has the failure.
         """
         several = isinstance(query, list)
         given = [_query(one) for one in (query if several else [query])]
@@ -160,17 +160,17 @@ class Index:
 
     def _answer(self, query: str, member: Optional[int], models: list[int], distances: _numpy.ndarray,
                 failure: str) -> Answer:
-        found = [Found(*self._models[model], distance) for model, distance in zip(models, distances.tolist())]
+        found = [Found(*self._models[model], distance) for model, distance in zip(models, map(float, distances))]
         return Answer(query, None if member is None else self._models[member][0], found, failure)
 
 
 def _wanted_method(method: Any, signature: str, articulated: bool) -> tuple[_native.WantedMethod, str]:
     """Returns the method, and the file that its index is named after."""
     if articulated and method is not None:
-        raise InputError("omit method or articulated, which selects a method")
+        raise InputError("method and articulated=True exclude each other; omit one")
     if method is None:
         if signature:
-            raise InputError("signature requires a method")
+            raise InputError("signature requires method, the configuration that defines it")
         return _native.WantedMethod("", "", "", articulated), ""
     if isinstance(method, _abc.Mapping):
         document = plain(method, "method")
@@ -187,6 +187,6 @@ def _query(query: Any) -> Any:
         return shape_arrays(query, None, None)
     if isinstance(query, tuple):
         if not 1 <= len(query) <= 3:
-            raise InputError(f"a query of arrays has vertices, faces and normals, not {len(query)} entries")
+            raise InputError(f"a query of arrays is a tuple of 1 to 3 (vertices, faces, normals), not of {len(query)}")
         return shape_arrays(*query, *[None] * (3 - len(query)))
     return path_of(query, "query")

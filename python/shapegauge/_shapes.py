@@ -122,9 +122,10 @@ def sdf(vertices: Any, faces: Any = None, method: Union[str, float] = "offset_sd
     """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
 
     method: "offset_sdf" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone_sdf" (the
-    conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball). Each method has its
-    own settings, below. remove_outliers: ignore isolated points of a cloud, whose values are NaN (done anyway with
-    offset="auto"). Returns a ScalarField, which unpacks as values and weights; its `offset` is the one that "auto" chose.
+    conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball). Each method has
+    its own settings, below. at: "faces", "vertices" or {"surface": n}. remove_outliers: ignore isolated points of a
+    cloud, whose values are NaN (done anyway with offset="auto"). Returns a ScalarField, which unpacks as values and
+    weights; its `offset` is the one that "auto" chose.
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
     >>> sg.sdf(points, offset="auto").offset
@@ -154,8 +155,9 @@ def normals(vertices: Any, faces: Any = None, offset: Union[float, str] = "auto"
             remove_outliers: bool = False, threads: int = 0) -> _numpy.ndarray:
     """Estimates outward unit normals, n x 3, robust to noise, cracks and orientation.
 
-    remove_outliers: ignore isolated points of a cloud, whose normals are 0 (done anyway with offset="auto"). sdf()
-    returns the same normals together with the offset chosen by "auto".
+    offset: distance of the offset surface, a fraction of the diagonal of the bounding box, or "auto". at: "faces",
+    "vertices" or {"surface": n}. remove_outliers: ignore isolated points of a cloud, whose normals are 0 (done anyway
+    with offset="auto"). sdf() returns the same normals together with the offset chosen by "auto".
 
     >>> sg.normals(points).shape
     (5000, 3)
@@ -180,8 +182,8 @@ def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: 
             remove_outliers: bool = False, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one per face, or a point of a cloud.
 
-    method: "best", or the paper's pipeline, "paper". remove_outliers: ignore isolated points of a cloud, whose numbers are
-    -1. settings: below, as parts=3: how many are wanted.
+    method: "best" (semantic parts) or "paper" (clusters of similar thickness). remove_outliers: ignore isolated points
+    of a cloud, whose numbers are -1. settings: those below, such as parts=3.
 
     >>> labels = sg.segment(vertices, faces)
     >>> labels = sg.segment(vertices, faces, "paper", field="cone_sdf", parts=4)
@@ -200,7 +202,7 @@ def describe(vertices: Any, faces: Any = None, descriptor: str = "light_field", 
              remove_outliers: bool = False, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """The features of a shape under a descriptor (docs/manual/descriptors.md), float32. The shape is scaled to unit area.
 
-    remove_outliers: ignore isolated points of a cloud.
+    settings: those of the descriptor, below. remove_outliers: ignore isolated points of a cloud.
 
     >>> features = sg.describe(vertices, faces, "light_field")
     >>> features = sg.describe(mesh, "d2")

@@ -25,7 +25,8 @@ constexpr std::array bag_of_features_table = {
     option_of<&BagOfFeaturesOptions::soft>("soft", "Assign each sample to all words, with Gaussian weights."),
     with_unit(
         "mean distances of a word from the nearest other",
-        option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100}, "Width of the Gaussian.")),
+        option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100},
+                                                   "Standard deviation of the Gaussian weights of soft assignment.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
                                                   "Divide each field by its standard deviation over the data set."),
     option_of<&BagOfFeaturesOptions::samples_per_shape>(
@@ -33,7 +34,8 @@ constexpr std::array bag_of_features_table = {
         "Number of samples per shape from which the codebook is learnt."),
     option_of<&BagOfFeaturesOptions::iterations>("iterations", {.low = 1, .high = 10'000},
                                                  "Maximum number of k-means iterations."),
-    option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Seed of the random numbers."),
+    option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647},
+                                           "Seed of k-means; equal seeds give equal codebooks."),
 };
 constexpr auto bag_of_features_parameters = parameters_of(bag_of_features_table);
 
@@ -41,12 +43,14 @@ using Vectors = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 void check_fields(ShapeFields fields, std::size_t expected) {
   if (fields.empty() || fields.size() != expected) {
-    throw ArgumentError("a bag of features is of one field or more, the same for all shapes; there are " +
+    throw ArgumentError("a bag of features needs one field or more, as many for each shape; there are " +
                         std::to_string(fields.size()) + " and " + std::to_string(expected));
   }
   for (const ScalarField& field : fields) {
     if (field.values.size() != fields.front().values.size() || field.weights.size() != field.values.size()) {
-      throw ArgumentError("the fields of a bag of features must be at the same samples");
+      throw ArgumentError("the fields of a bag of features must be at the same samples; one has " +
+                          std::to_string(field.values.size()) + " values and " + std::to_string(field.weights.size()) +
+                          " weights, the first " + std::to_string(fields.front().values.size()) + " values");
     }
   }
 }
@@ -85,7 +89,8 @@ Vectors samples_of(std::span<const ShapeFields> shapes, int per_shape) {
     check_fields(fields, shapes.front().size());
     append_samples(fields, per_shape, samples);
   }
-  if (samples.empty()) throw ArgumentError("fields without any value of positive weight make no codebook");
+  if (samples.empty())
+    throw ArgumentError("a codebook needs fields with a value of positive weight, and there is none");
   Vectors matrix(std::ssize(samples), samples.front().size());
   for (std::size_t i = 0; i < samples.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = samples[i];
   return matrix;
@@ -171,7 +176,7 @@ LearntFeatures as_matrix(const Codebook& codebook) {
 }
 
 Codebook as_codebook(const LearntFeatures& matrix) {
-  if (matrix.rows() < 2) throw InputError("the descriptor bag_of_features needs the codebook that it learns first");
+  if (matrix.rows() < 2) throw InputError("the descriptor bag_of_features has no codebook; learn it from shapes first");
   return {matrix.row(0), matrix.bottomRows(matrix.rows() - 1)};
 }
 
@@ -207,7 +212,7 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
     }
   }
   const double total = bag.sum();
-  if (!(total > 0)) throw ArgumentError("the fields have no value of positive weight");
+  if (!(total > 0)) throw ArgumentError("a bag of features needs a value of positive weight, and the fields have none");
   Eigen::VectorXf features = Eigen::VectorXf::Zero(std::max<Eigen::Index>(options.words, bag.size()));
   features.head(bag.size()) = (bag / total).cast<float>();
   return features;

@@ -11,10 +11,10 @@ namespace shapegauge {
 
 /// Options of a bag of features and its codebook.
 struct BagOfFeaturesOptions {
-  int words = 80;            ///< number of words in the codebook; 80 as in Chen et al. 2018
-  bool soft = false;         ///< assign each sample to all words with Gaussian weights, not only to the nearest word
-  double softness = 1;       ///< standard deviation of the Gaussian, in mean distances of a word to its nearest word
-  bool standardise = false;  ///< divide each field by its standard deviation over the data set
+  int words = 80;       ///< number of words (cluster centres) in the codebook; 80 as in Chen et al. 2018
+  bool soft = false;    ///< assign each sample to all words with Gaussian weights, not only to the nearest word
+  double softness = 1;  ///< standard deviation of the Gaussian, in mean distances of a word to the nearest other word
+  bool standardise = false;      ///< divide each field's values by their standard deviation over the data set
   int samples_per_shape = 1000;  ///< number of samples per shape for learning the codebook
   int iterations = 50;           ///< maximum number of k-means iterations
   int seed = 1;                  ///< seed of k-means
@@ -39,6 +39,7 @@ Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOption
 /// Zisserman 2003; soft assignment: van Gemert et al. 2008). Compared by L1. Throws as codebook() does.
 Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, const BagOfFeaturesOptions& options = {});
 
+/// Returns the entry "bag_of_features" of the registry descriptors().
 Descriptor bag_of_features_descriptor();
 
 }  // namespace shapegauge

@@ -22,8 +22,8 @@ struct CylinderMap {
 struct CylinderFrame {
   int axis = 2;       ///< coordinate axis through the origin that is the cylinder's axis: 0, 1 or 2
   double radius = 1;  ///< radius and half height of the cylinder; surface outside it is ignored
-  int angles = 128;   ///< number of columns; angle 0 is the coordinate axis after the cylinder's, in cyclic order
-  int heights = 64;   ///< number of rows, over the height of the cylinder
+  int angles = 128;   ///< number of map columns; angle 0 is the coordinate axis after the cylinder's, in cyclic order
+  int heights = 64;   ///< number of map rows, over the height of the cylinder
 };
 
 /// Projects the triangles of a mesh onto a cylinder (Papadakis, Pratikakis, Theoharis, Perantonis 2010, section 3.2). A

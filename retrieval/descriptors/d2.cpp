@@ -17,8 +17,8 @@ constexpr std::array d2_table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
                                   "Number of points on the surface; all their pairs are used."),
     option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Number of bins of the distance histogram."),
-    with_unit("mean distances",
-              option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "Upper end of the last bin.")),
+    with_unit("mean distances", option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100},
+                                                               "Largest distance in the histogram.")),
 };
 constexpr auto d2_parameters = parameters_of(d2_table);
 
@@ -44,7 +44,8 @@ Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
     sum += weight * distance;
     total += weight;
   });
-  if (!(sum > 0) || !(total > 0)) throw InputError("the descriptor d2 needs a shape with extent");
+  if (!(sum > 0) || !(total > 0))
+    throw InputError("the descriptor d2 needs a shape with extent; check it for coincident points");
   const double bins_per_unit = options.bins / options.longest * total / sum;
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
   for_each_pair(samples, [&](double distance, double weight) {

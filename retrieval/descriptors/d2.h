@@ -10,9 +10,9 @@ namespace shapegauge {
 
 /// Options of d2().
 struct D2Options {
-  int points = 1024;   ///< number of surface points, all pairs of which count
+  int points = 1024;   ///< number of surface points; the distances of all pairs are counted
   int bins = 64;       ///< number of histogram bins, from distance 0 to `longest`
-  double longest = 3;  ///< upper end of the last bin, which includes larger distances, in mean distances
+  double longest = 3;  ///< upper end of the last bin, in mean distances of all pairs; larger distances count there
 };
 
 /// Computes the shape distribution D2 (Osada, Funkhouser, Chazelle, Dobkin 2002): the histogram of distances between
@@ -23,6 +23,7 @@ struct D2Options {
 /// options out of range, an unusable shape, and one without two distinct points.
 Eigen::VectorXf d2(const Shape& shape, const D2Options& options = {});
 
+/// Returns the entry "d2" of the registry descriptors().
 Descriptor d2_descriptor();
 
 }  // namespace shapegauge

@@ -50,7 +50,7 @@ void check_descriptor(const Descriptor& added) {
 
 }  // namespace
 
-Eigen::VectorXf on_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use) {
+Eigen::VectorXf call_with_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use) {
   if (input.proxy != nullptr) return use(*input.proxy);
   ProxySource own(input.shape);
   return use(own);
@@ -70,7 +70,8 @@ Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& in
                                  const DescriptorSettings& settings) {
   Eigen::VectorXf features = by.describe(input, learnt, settings);
   if (features.size() == 0 || !features.allFinite()) {
-    throw InputError(fmt::format("the features of the descriptor {} are not finite numbers", by.name));
+    throw InputError(
+        fmt::format("the descriptor {} returned no features, or some that are not finite numbers", by.name));
   }
   return features;
 }

@@ -23,40 +23,42 @@ class ProxySource;
 /// Parameter values of a descriptor.
 struct DescriptorSettings {
   ParameterValues values;             ///< values of the descriptor's parameters
-  std::vector<ParameterValues> axes;  ///< values of the descriptor's axis_parameters, one set per field
+  std::vector<ParameterValues> axes;  ///< per field: values of Descriptor::axis_parameters, such as the bins
 };
 
 /// Shape to be described, with its fields and surface proxy.
 struct DescriptorInput {
   const Shape& shape;                   ///< prepared shape of unit area
-  std::span<const ScalarField> fields;  ///< fields at the same samples; empty for a descriptor without fields
-  ProxySource* proxy = nullptr;  ///< proxy of the shape, shared with its fields and other descriptors; may be null
+  std::span<const ScalarField> fields;  ///< scalar fields at the same samples; empty for a descriptor without them
+  ProxySource* proxy = nullptr;  ///< proxy of the shape, shared with its fields and other descriptors; null: none yet
 };
 
 /// Returns use(proxy) for the input's proxy, or for a new proxy of the shape if the input has none.
-Eigen::VectorXf on_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use);
+Eigen::VectorXf call_with_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use);
 
-/// Features learnt from the whole data set before shapes are described, such as a codebook. Empty for most descriptors.
+/// Features learnt from the whole data set before shapes are described, such as a codebook. Empty for descriptors that
+/// learn nothing.
 using LearntFeatures = Eigen::MatrixXf;
 
 /// Descriptor: a function from a shape, or fields on it, to features whose length depends only on the settings, and a
 /// distance between features. Functions throw InputError for settings out of range and for shapes that cannot be
-/// described. Names, parameters and descriptions must outlive the entry; they are not copied.
+/// described. Names, parameters and descriptions must outlive the Descriptor; they are not copied.
 struct Descriptor {
-  std::string_view name;
+  std::string_view name;                  ///< name of the descriptor in configurations and commands
   std::string_view description;           ///< description in one sentence
   std::span<const Parameter> parameters;  ///< parameters of the descriptor; none is called type, fields or axes
-  std::span<const Parameter> axis_parameters = {};  ///< parameters that have a value for each field
-  std::size_t min_fields = 0;                       ///< minimum number of fields
-  std::size_t max_fields = 0;                       ///< maximum number of fields
-  int version = 1;  ///< cache version of the features and the distance; see docs/manual/cache.md
+  std::span<const Parameter> axis_parameters = {};  ///< parameters with a value per field, such as its bins
+  std::size_t min_fields = 0;                       ///< minimum number of scalar fields that the descriptor uses
+  std::size_t max_fields = 0;                       ///< maximum number of scalar fields that the descriptor uses
+  int version = 1;  ///< cache version; increment when features or distances change (docs/manual/cache.md)
+  /// Computes the features of one shape; required.
   Eigen::VectorXf (*describe)(const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) = nullptr;
-  DistanceFunction distance = nullptr;
+  DistanceFunction distance = nullptr;  ///< distance between the features of two shapes; required
   /// Learns from all shapes before they are described; null if nothing is learnt.
   LearntFeatures (*learn)(std::span<const DescriptorInput>, const DescriptorSettings&) = nullptr;
   /// Returns true if the settings require learning. Null if all settings do, or `learn` is null.
   bool (*learns)(const DescriptorSettings&) = nullptr;
-  /// Throws InputError if settings contradict each other; null if they cannot.
+  /// Throws InputError if parameter values contradict each other; null if they cannot.
   void (*check)(const DescriptorSettings&) = nullptr;
 };
 

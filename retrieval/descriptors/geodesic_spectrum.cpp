@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
@@ -55,7 +56,8 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
   constexpr double tolerance = 1e-8;
   solver.compute(Spectra::SortRule::LargestMagn, max_iterations, tolerance);
   if (solver.info() != Spectra::CompInfo::Successful) {
-    throw InputError("the largest eigenvalues of a matrix of distances did not converge");
+    throw InputError("the " + std::to_string(count) +
+                     " largest eigenvalues of the geodesic distances did not converge; reduce eigenvalues");
   }
   return descending_sizes(solver.eigenvalues(), count);
 }
@@ -81,7 +83,7 @@ Descriptor geodesic_spectrum_descriptor() {
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const GeodesicSpectrumOptions options = options_from(geodesic_spectrum_table, settings.values);
-                return on_proxy(input, [&](ProxySource& source) { return geodesic_spectrum(source, options); });
+                return call_with_proxy(input, [&](ProxySource& source) { return geodesic_spectrum(source, options); });
               },
           .distance = l2_distance};
 }

@@ -26,6 +26,7 @@ Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOpt
 /// does not converge.
 Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
+/// Returns the entry "geodesic_spectrum" of the registry descriptors().
 Descriptor geodesic_spectrum_descriptor();
 
 }  // namespace shapegauge

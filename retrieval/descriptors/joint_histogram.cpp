@@ -25,16 +25,16 @@ constexpr std::array joint_histogram_table = {
     with_unit("bins",
               option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
                                                     "Standard deviation of a Gaussian that smooths along the axis.")),
-    option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
-    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
-    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),
-    option_of<&JointAxis::per_shape>("per_shape", "Use each shape's own range instead."),
-    option_of<&JointAxis::over_data_set>("over_data_set", "Use the range over the data set instead."),
+    option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values of each shape by their mean first."),
+    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range of the field's values."),
+    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range of the field's values."),
+    option_of<&JointAxis::per_shape>("per_shape", "Use each shape's own range instead of low and high."),
+    option_of<&JointAxis::over_data_set>("over_data_set", "Use the range over the data set instead of low and high."),
 };
 constexpr auto joint_histogram_parameters = parameters_of(joint_histogram_table);
 constexpr std::array options_table = {
     option_of<&JointHistogramOptions::square_roots>(
-        "square_roots", "Compare the square roots of the shares, which gives small ones more weight."),
+        "square_roots", "Compare the square roots of the bins, which gives small bins more weight."),
 };
 constexpr auto options_parameters = parameters_of(options_table);
 
@@ -97,7 +97,9 @@ std::size_t checked_size(std::span<const ScalarField> fields, std::span<const Jo
   std::size_t bins = 1;
   for (const JointAxis& axis : axes) {
     bins *= static_cast<std::size_t>(axis.bins);
-    if (bins > most) throw ArgumentError("a joint histogram has at most " + std::to_string(most) + " bins");
+    if (bins > most)
+      throw ArgumentError("the axes of a joint histogram may have at most " + std::to_string(most) +
+                          " bins in all; reduce bins");
   }
   return bins;
 }
@@ -140,7 +142,7 @@ void smooth_axis(Eigen::VectorXd& counts, const JointAxis& axis, Eigen::Index st
 
 Interval joint_range(const ScalarField& field, bool divide_by_mean) {
   const std::optional<Interval> range = value_range(field);
-  if (!range) throw ArgumentError("a field without any value of positive weight has no range");
+  if (!range) throw ArgumentError("the range of a field needs a value of positive weight, and the field has none");
   const double unit = unit_of(field, divide_by_mean);
   return {range->low / unit, range->high / unit};
 }
@@ -164,7 +166,7 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
     total += weight;
   }
   if (!(total > 0) || !std::isfinite(total)) {
-    throw ArgumentError("a joint histogram needs a sample at which all fields have a value");
+    throw ArgumentError("a joint histogram needs a sample at which all fields have a value, and there is none");
   }
   counts /= total;
   Eigen::Index stride = counts.size();
@@ -212,33 +214,34 @@ LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const Descr
 
 Descriptor joint_histogram_descriptor() {
   constexpr std::size_t max_fields = 6;
-  return {.name = name,
-          .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
-          .parameters = options_parameters,
-          .axis_parameters = joint_histogram_parameters,
-          .min_fields = 2,
-          .max_fields = max_fields,
-          .version = 2,
-          .describe =
-              [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {
-                std::vector<JointAxis> axes = axes_from(settings);
-                for (std::size_t k = 0; k < axes.size(); ++k) {
-                  if (!axes[k].over_data_set) continue;
-                  if (ranges.rows() != std::ssize(axes)) {
-                    throw InputError(fmt::format("the descriptor {} needs the ranges that it learns first", name));
-                  }
-                  const auto row = static_cast<Eigen::Index>(k);
-                  set_range(axes[k], {.low = ranges(row, 0), .high = ranges(row, 1)});
-                }
-                return joint_histogram(input.fields, axes, options_from(options_table, settings.values));
-              },
-          .distance = l1_distance,
-          .learn = learn_ranges,
-          .learns =
-              [](const DescriptorSettings& settings) {
-                return std::ranges::any_of(axes_from(settings), &JointAxis::over_data_set);
-              },
-          .check = check_axes};
+  return {
+      .name = name,
+      .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
+      .parameters = options_parameters,
+      .axis_parameters = joint_histogram_parameters,
+      .min_fields = 2,
+      .max_fields = max_fields,
+      .version = 2,
+      .describe =
+          [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {
+            std::vector<JointAxis> axes = axes_from(settings);
+            for (std::size_t k = 0; k < axes.size(); ++k) {
+              if (!axes[k].over_data_set) continue;
+              if (ranges.rows() != std::ssize(axes)) {
+                throw InputError(fmt::format("the descriptor {} has no ranges; learn them from shapes first", name));
+              }
+              const auto row = static_cast<Eigen::Index>(k);
+              set_range(axes[k], {.low = ranges(row, 0), .high = ranges(row, 1)});
+            }
+            return joint_histogram(input.fields, axes, options_from(options_table, settings.values));
+          },
+      .distance = l1_distance,
+      .learn = learn_ranges,
+      .learns =
+          [](const DescriptorSettings& settings) {
+            return std::ranges::any_of(axes_from(settings), &JointAxis::over_data_set);
+          },
+      .check = check_axes};
 }
 
 }  // namespace shapegauge

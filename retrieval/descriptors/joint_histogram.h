@@ -18,14 +18,14 @@ struct JointAxis {
   bool divide_by_mean = false;  ///< divide the values by their weighted mean first, which makes them invariant to scale
   double low = 0;               ///< lower end of the range, after divide_by_mean; smaller values count in the first bin
   double high = 1;              ///< upper end of the range, after divide_by_mean; larger values count in the last bin
-  bool per_shape = false;       ///< use each shape's own minimum and maximum; a constant field counts in the first bin
-  bool over_data_set = false;  ///< use the minimum and maximum over the data set; only for joint_histogram_descriptor()
+  bool per_shape = false;  ///< use each shape's range of values, not low and high; a constant field is in the first bin
+  bool over_data_set = false;  ///< use the data set's range of values; only for joint_histogram_descriptor()
 };
 
 /// Conversion of the bins of a joint histogram to features.
 struct JointHistogramOptions {
   bool square_roots =
-      false;  ///< take square roots, which increases the effect of small bins (as in Hellinger's distance)
+      false;  ///< take square roots of the bins, which increases the effect of small bins (as in Hellinger's distance)
 };
 
 /// Computes the range of a field's values, after division by their mean if requested. Throws ArgumentError if there is
@@ -42,7 +42,8 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean);
 Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes,
                                 const JointHistogramOptions& options = {});
 
-/// Returns the descriptor. Its settings are JointHistogramOptions and one JointAxis per field.
+/// Returns the entry "joint_histogram" of the registry descriptors(). Its parameters are JointHistogramOptions and, for
+/// each field, a JointAxis.
 Descriptor joint_histogram_descriptor();
 
 }  // namespace shapegauge

@@ -140,7 +140,9 @@ DrawnMesh in_unit_ball(const Shape& shape) {
   Shape mesh = surface_mesh(shape);
   mesh = in_unit_frame(mesh, unit_frame(mesh));
   const SurfaceMoments moments = surface_moments(mesh);
-  if (!(moments.area > 0)) throw InputError("the descriptor light_field needs a shape with area");
+  if (!(moments.area > 0))
+    throw InputError(
+        "the descriptor light_field needs a shape with area; check it for degenerate triangles or coincident points");
   const std::vector<bool> used = used_vertices(mesh);
   std::vector<std::int32_t> drawn(used.size(), -1);
   DrawnMesh result{{}, std::move(mesh.triangles)};
@@ -173,7 +175,7 @@ Bytes bytes_of(std::span<const float> features) {
   for (std::size_t k = 0; k < light_field_features; ++k) {
     outside |= static_cast<unsigned>(!(features[k] >= 0)) | static_cast<unsigned>(!(features[k] <= 255));
   }
-  if (outside != 0) throw ArgumentError("a light field has features from 0 to 255");
+  if (outside != 0) throw ArgumentError("the features of a light field must be from 0 to 255");
   for (std::size_t k = 0; k < light_field_features; ++k) {
     together[k] = static_cast<std::uint8_t>(static_cast<int>(features[k]));
   }

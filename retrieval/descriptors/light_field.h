@@ -26,6 +26,7 @@ Eigen::VectorXf light_field(const Shape& shape, const LightFieldOptions& options
 /// rotations of a dodecahedron, of the sum of L1 distances between corresponding views, divided by 255.
 double light_field_distance(std::span<const float> a, std::span<const float> b);
 
+/// Returns the entry "light_field" of the registry descriptors().
 Descriptor light_field_descriptor();
 
 }  // namespace shapegauge

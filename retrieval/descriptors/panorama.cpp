@@ -149,7 +149,9 @@ std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
   mesh = in_unit_frame(mesh, unit_frame(mesh));
   SurfaceMoments moments = surface_moments(mesh);
   const double spread = std::sqrt(moments.covariance.trace());
-  if (!(spread > 0)) throw InputError("the descriptor panorama needs a shape with area");
+  if (!(spread > 0))
+    throw InputError(
+        "the descriptor panorama needs a shape with area; check it for degenerate triangles or coincident points");
   mesh.vertices = (mesh.vertices.rowwise() - moments.centroid.transpose()) / spread;
   return {std::move(mesh), moments};
 }

@@ -47,6 +47,7 @@ Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options = {}
 /// (Canberra distance). The second summand is about half of the first for unrelated shapes.
 double panorama_distance(std::span<const float> a, std::span<const float> b);
 
+/// Returns the entry "panorama" of the registry descriptors().
 Descriptor panorama_descriptor();
 
 }  // namespace shapegauge

@@ -65,7 +65,8 @@ Descriptor shape_dna_descriptor() {
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const ShapeDnaSettings chosen = options_from(settings_table, settings.values);
                 if (chosen.on == FieldSurface::mesh) return shape_dna(input.shape, chosen.options);
-                return on_proxy(input, [&](ProxySource& source) { return shape_dna_on_proxy(source, chosen.options); });
+                return call_with_proxy(input,
+                                       [&](ProxySource& source) { return shape_dna_on_proxy(source, chosen.options); });
               },
           .distance = l2_distance};
 }

@@ -27,6 +27,7 @@ Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options = {}
 /// surface_proxy() does.
 Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& options = {});
 
+/// Returns the entry "shape_dna" of the registry descriptors().
 Descriptor shape_dna_descriptor();
 
 }  // namespace shapegauge

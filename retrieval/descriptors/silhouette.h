@@ -20,25 +20,27 @@ namespace shapegauge {
 std::vector<std::uint8_t> silhouette(const Eigen::Matrix3Xf& vertices, const Triangles& triangles,
                                      const Eigen::Matrix3d& rotation, int pixels);
 
-/// Number of magnitudes of Zernike moments up to order 10, without the area.
+/// Number of Zernike moments in SilhouetteFeatures: those up to order 10, without the area (order 0).
 inline constexpr std::size_t zernike_moments = 35;
-/// Number of magnitudes of Fourier coefficients 1 to 10 of the outline.
+/// Number of Fourier coefficients of the outline in SilhouetteFeatures: coefficients 1 to 10.
 inline constexpr std::size_t outline_coefficients = 10;
+/// Number of features of a silhouette: Zernike moments, followed by Fourier coefficients.
 inline constexpr std::size_t silhouette_feature_count = zernike_moments + outline_coefficients;
 
-/// Computes features of silhouettes that are invariant to rotation and reflection of the image.
+/// Computes features of silhouettes that are invariant to rotation and reflection of the image: magnitudes of
 /// - Zernike moments of the disc that touches the image's sides, by order and then repetition (Khotanzad and Hong
 ///   1990).
 /// - Fourier coefficients, divided by the zeroth, of the distances of the outline from its centroid (Zhang and Lu
 ///   2002). The outline is the longest of a connected component; an empty image has zeros only.
 class SilhouetteFeatures {
  public:
-  explicit SilhouetteFeatures(int pixels);
+  explicit SilhouetteFeatures(int pixels);  ///< for images of `pixels` x `pixels`
 
+  /// Computes the features of an image of silhouette(). Throws ArgumentError for an image of another size.
   [[nodiscard]] std::array<double, silhouette_feature_count> operator()(std::span<const std::uint8_t> image) const;
 
  private:
-  int pixels_;
+  int pixels_;  ///< width and height of the images
   /// Prefix sums of the conjugate Zernike polynomials along each row of the image, real and then imaginary parts,
   /// scaled by a pixel's area and the moments' factor, zero outside the disc. The sum over a run of pixels is one
   /// difference.

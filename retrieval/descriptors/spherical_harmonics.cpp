@@ -26,8 +26,9 @@ constexpr std::array spherical_harmonics_table = {
     option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
                                                      "Number of frequencies per sphere, from 0."),
     with_unit("mean distances from the centroid",
-              option_of<&SphericalHarmonicsOptions::width>("width", {.low = 0.001, .high = 10},
-                                                           "Width of the Gaussian of the distance to the surface.")),
+              option_of<&SphericalHarmonicsOptions::width>(
+                  "width", {.low = 0.001, .high = 10},
+                  "Width w of the Gaussian exp(-(d / w)²) of the distance d to the surface.")),
     option_of<&SphericalHarmonicsOptions::voxels>("voxels", "Use the voxelised surface instead of the Gaussian."),
 };
 constexpr auto spherical_harmonics_parameters = parameters_of(spherical_harmonics_table);
@@ -60,10 +61,14 @@ Eigen::Index circles_of(int bandwidth) { return 2 * static_cast<Eigen::Index>(ba
 /// Scales the shape to a mean distance of 1 from its centroid, at the origin.
 Shape centred(const Shape& shape, const Samples& samples) {
   const double total = samples.weights.sum();
-  if (!(total > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with area");
+  if (!(total > 0))
+    throw InputError(
+        "the descriptor spherical_harmonics needs a shape with area; check it for degenerate triangles or coincident "
+        "points");
   const Eigen::RowVector3d centroid = samples.weights.transpose() * samples.points / total;
   const double mean = samples.weights.dot((samples.points.rowwise() - centroid).rowwise().norm()) / total;
-  if (!(mean > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with extent");
+  if (!(mean > 0))
+    throw InputError("the descriptor spherical_harmonics needs a shape with extent; check it for coincident points");
   Shape result = without_duplicates(shape);
   result.vertices = (shape.vertices.rowwise() - centroid) / mean;
   result.normals = {};

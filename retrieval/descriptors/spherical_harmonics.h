@@ -22,22 +22,22 @@ struct SphericalHarmonicsOptions {
 /// Spherical harmonic transform of functions on the sphere to one norm per frequency. The bandwidth is at least 1.
 class HarmonicTransform {
  public:
-  explicit HarmonicTransform(int bandwidth);
+  explicit HarmonicTransform(int bandwidth);  ///< `bandwidth` is the number of frequencies, from 0 on
 
   /// Returns the directions at which a function must be sampled, one per row: 2 bandwidth circles of latitude
   /// (Gauss-Legendre) times 4 bandwidth meridians.
   [[nodiscard]] const Points& directions() const { return directions_; }
 
-  /// Computes sqrt(sum over m of |a_lm|^2) for each l below the bandwidth, where a_lm are the coefficients of the
-  /// function in orthonormal spherical harmonics. Invariant to rotations of the function. Exact for functions of less
-  /// than twice the bandwidth. Throws ArgumentError unless there is one value for each direction.
+  /// Computes sqrt(sum over m of |a_lm|^2) for each frequency l below the bandwidth, where a_lm are the coefficients of
+  /// the function in orthonormal spherical harmonics. Invariant to rotations of the function. Exact for functions whose
+  /// frequencies are below twice the bandwidth. Throws ArgumentError unless there is one value for each direction.
   [[nodiscard]] Eigen::VectorXd norms(const Eigen::VectorXd& values) const;
 
  private:
-  Eigen::MatrixXd cosines_;  ///< cosines of order times longitude, with the quadrature's weights: meridians x orders
-  Eigen::MatrixXd sines_;    ///< sines of order times longitude, with the quadrature's weights: meridians x orders
+  Eigen::MatrixXd cosines_;  ///< cos(m longitude) of harmonics of order m, with quadrature weights: meridians x orders
+  Eigen::MatrixXd sines_;    ///< sin(m longitude) of harmonics of order m, with quadrature weights: meridians x orders
   std::vector<Eigen::MatrixXd> by_frequency_;  ///< per frequency: weighted Legendre functions, circles x orders
-  Points directions_;
+  Points directions_;                          ///< unit vectors of the samples, one per row
 };
 
 /// Computes the rotation-invariant spherical harmonic descriptor (Kazhdan, Funkhouser, Rusinkiewicz 2003): norms per
@@ -49,6 +49,7 @@ class HarmonicTransform {
 /// InputError for options out of range, an unusable shape, and one without extent or area.
 Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options = {});
 
+/// Returns the entry "spherical_harmonics" of the registry descriptors().
 Descriptor spherical_harmonics_descriptor();
 
 }  // namespace shapegauge

@@ -12,7 +12,7 @@ struct SurfaceMoments {
   double area = 0;                                       ///< area of the surface
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();    ///< centroid of the surface
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of the surface's points about the centroid
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();     ///< mean of n n^T of unit normals n, of either orientation
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< mean of n n^T over the surface; n: unit normal of either sign
 };
 
 /// Computes the moments of a mesh's surface; all zero for a mesh without area.

@@ -21,11 +21,11 @@ namespace {
 
 constexpr std::array surflet_pairs_table = {
     option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64},
-                                                   "Number of bins of the distance."),
+                                                   "Number of bins of the distance between the points."),
     option_of<&SurfletPairsOptions::angle_bins>("angle_bins", {.low = 2, .high = 16},
-                                                "Number of bins of each of the three cosines."),
+                                                "Number of bins of the cosine of each of the three angles."),
     option_of<&SurfletPairsOptions::largest_distance>("largest_distance", {.low = 1, .high = 100},
-                                                      "Upper end of the distance axis, in mean distances."),
+                                                      "Largest distance in the histogram, in mean distances."),
 };
 constexpr auto surflet_pairs_parameters = parameters_of(surflet_pairs_table);
 
@@ -104,7 +104,8 @@ Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& op
   const Points& points = source.proxy().points;
   const Points& normals = source.proxy().normals;
   const double mean = mean_pair_distance(points, areas);
-  if (!(mean > 0)) throw InputError("the descriptor surflet_pairs needs a shape with extent");
+  if (!(mean > 0))
+    throw InputError("the descriptor surflet_pairs needs a shape with extent; check it for coincident points");
   check_interruption();
   MultilinearHistogram histogram({options.distance_bins, options.angle_bins, options.angle_bins, options.angle_bins});
   for_each_pair(points, areas, [&](Eigen::Index i, Eigen::Index j, double distance, double weight) {
@@ -126,7 +127,7 @@ Descriptor surflet_pairs_descriptor() {
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const SurfletPairsOptions options = options_from(surflet_pairs_table, settings.values);
-                return on_proxy(input, [&](ProxySource& source) { return surflet_pairs(source, options); });
+                return call_with_proxy(input, [&](ProxySource& source) { return surflet_pairs(source, options); });
               },
           .distance = l1_distance};
 }

@@ -26,6 +26,7 @@ struct SurfletPairsOptions {
 /// of range, for a shape whose points all coincide, and as surface_proxy() does.
 Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& options = {});
 
+/// Returns the entry "surflet_pairs" of the registry descriptors().
 Descriptor surflet_pairs_descriptor();
 
 }  // namespace shapegauge

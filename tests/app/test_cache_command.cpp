@@ -30,7 +30,7 @@ TEST_F(CacheCommand, ClearsFullAndEmptyCaches) {
   EXPECT_THAT(again.output, HasSubstr("0 entries"));
 }
 
-TEST_F(CacheCommand, RejectsInvalidArgumentsWithOneLine) {
+TEST_F(CacheCommand, RejectsUnknownCommandsAndAFileInPlaceOfTheCacheFolder) {
   test::write_text(at("file"), "x");
   expect_error_lines({{"cache empty", "there is no command \"empty\""},
                       {"cache info --cache " + quoted("file"), "cannot read the cache"},

@@ -22,7 +22,7 @@ class CheckCommand : public CommandTest {
   [[nodiscard]] Outcome check(const std::string& options) const { return run("check @plate.off " + options); }
 };
 
-TEST_F(CheckCommand, StatusSaysWhetherThePartPasses) {
+TEST_F(CheckCommand, ExitsWithStatusThreeForThinWallsAndZeroOtherwise) {
   const Outcome thin = check("--unit mm --min-wall 1.2 --min-gap 0.5");
   EXPECT_EQ(thin.status, 3) << thin.errors;
   EXPECT_THAT(thin.output, HasSubstr("thin walls below 1.2 mm: 2\n"));
@@ -32,7 +32,7 @@ TEST_F(CheckCommand, StatusSaysWhetherThePartPasses) {
   EXPECT_THAT(thick.output, HasSubstr("\npasses\n"));
 }
 
-TEST_F(CheckCommand, NoneOfThePartsMayHaveThinWallsOrNarrowGaps) {
+TEST_F(CheckCommand, FailsIfAnyPartHasThinWallsOrNarrowGaps) {
   const Shape block = test::box({20, 12, 9}, 1);
   write_off(at("block.off"), block);
   EXPECT_EQ(run("check @block.off @plate.off --min-wall 1.2").status, 3);
@@ -43,7 +43,7 @@ TEST_F(CheckCommand, NoneOfThePartsMayHaveThinWallsOrNarrowGaps) {
   EXPECT_THAT(slot.output, HasSubstr("does not pass: 2 narrow gaps\n"));
 }
 
-TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
+TEST_F(CheckCommand, ListsThinRegionsInJsonAndCsv) {
   const auto json = nlohmann::json::parse(check("--min-wall 1.2 --format json").output);
   EXPECT_EQ(json["passes"], false);
   EXPECT_EQ(json["voids"], 0);
@@ -61,15 +61,15 @@ TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
   EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
 }
 
-TEST_F(CheckCommand, ThePageShowsThePartUpright) {
+TEST_F(CheckCommand, PageShowsThePartWithItsUpAxisVertical) {
   for (const auto& [options, axis] : {std::pair("", 1), {"--up z", 2}}) {
     EXPECT_EQ(check(std::string("--min-wall 1.2 --replace -o @page.html ") + options).status, 3);
-    const auto page = test::data_in(test::text_of(at("page.html")));
+    const auto page = test::json_of_page(test::text_of(at("page.html")));
     EXPECT_GT(page["shapes"][0]["axes"][1][axis].get<double>(), 0.9) << options;
   }
 }
 
-TEST_F(CheckCommand, WrongLimitsAreRefused) {
+TEST_F(CheckCommand, RejectsMissingNonPositiveAndNonNumericLimits) {
   const std::vector<std::pair<std::string, std::string>> refused{{"", "--min-wall"},
                                                                  {"--min-wall 0", "--min-wall"},
                                                                  {"--min-wall thin", "--min-wall"},

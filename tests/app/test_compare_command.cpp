@@ -54,7 +54,7 @@ class CompareCommand : public CommandTest {
   }
 };
 
-TEST_F(CompareCommand, FindsTheBetterMethod) {
+TEST_F(CompareCommand, ReportsTheDifferenceBetweenAGoodAndABadMethod) {
   const Outcome outcome = succeeded(compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json"));
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["protocol"], "psb");
@@ -71,7 +71,7 @@ TEST_F(CompareCommand, FindsTheBetterMethod) {
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }
 
-TEST_F(CompareCommand, ComparesPerQueryTablesLikeMatrices) {
+TEST_F(CompareCommand, TablesOfScoresPerQueryGiveTheComparisonOfTheirMatrices) {
   for (const std::string name : {"good", "bad"}) {
     ASSERT_EQ(
         run("evaluate " + quoted(name + ".npy") + " --labels @labels.csv --per-query " + quoted(name + ".csv")).status,
@@ -83,7 +83,7 @@ TEST_F(CompareCommand, ComparesPerQueryTablesLikeMatrices) {
             compare_matrices("good.npy bad.npy", "--format json").output);  // to the last digit
 }
 
-TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
+TEST_F(CompareCommand, ComparesMethodsOfAFolderWithTheReferenceMethod) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\n"
              "m,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\no,psb,1,x,0\no,psb,2,y,0\n"
@@ -95,7 +95,7 @@ TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
   EXPECT_EQ(nlohmann::json::parse(compare("results", "--format json --protocol paper").output)["protocol"], "paper");
 }
 
-TEST_F(CompareCommand, WritesChartsAndAReport) {
+TEST_F(CompareCommand, WritesChartsAndAReportOnRequest) {
   const Outcome outcome = succeeded(compare_matrices(
       "good.npy bad.npy",
       "--measures FT --names ours,theirs --plot @pr.svg --plot-scores @scores.svg --pr @pr.csv --report @all.html"));
@@ -106,7 +106,7 @@ TEST_F(CompareCommand, WritesChartsAndAReport) {
   EXPECT_THAT(text_of(at("all.html")), AllOf(HasSubstr("ours"), HasSubstr("theirs")));
 }
 
-TEST_F(CompareCommand, CurvesOfAFolderMatchItsRun) {
+TEST_F(CompareCommand, WritesTheCurvesStoredInARunFolder) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
   write_text(at("results/pr_curves.csv"),
@@ -134,7 +134,7 @@ TEST_F(CompareCommand, DoesNotOverwriteInputs) {
   }
 }
 
-TEST_F(CompareCommand, DependsOnSeedAndTestButNotOnThreads) {
+TEST_F(CompareCommand, PValuesDependOnSeedAndTestButNotOnThreads) {
   const auto p = [&](const std::string& more) {
     return nlohmann::json::parse(compare_matrices("bad.npy poor.npy", "--measures FT --format json " + more)
                                      .output)["measures"]["FT"]["pairs"][0]["p"]
@@ -147,7 +147,7 @@ TEST_F(CompareCommand, DependsOnSeedAndTestButNotOnThreads) {
   EXPECT_NE(p("--blocks classes"), p(""));
 }
 
-TEST_F(CompareCommand, RejectsIncomparableInputsWithOneLine) {
+TEST_F(CompareCommand, RejectsMissingFilesSingleMethodsAndUnknownMeasures) {
   write_text(at("one.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\n");
   write_text(at("class.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,x,0\nn,psb,1,x,100\nn,psb,2,x,0\n");
   const std::vector<std::pair<Outcome, std::string>> cases{
@@ -177,7 +177,7 @@ TEST_F(CompareCommand, RejectsEvaluationOptionsForTablesOfScores) {
   EXPECT_EQ(compare_matrices("results good.npy", "--measures NN --ties expected").status, 0);
 }
 
-TEST_F(CompareCommand, WarnsOfTooFewClasses) {
+TEST_F(CompareCommand, WarnsIfClassesAreTooFewForSignificance) {
   std::string table = "id,class\n";
   for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 20) + "\n";
   write_text(at("three.csv"), table);
@@ -191,7 +191,7 @@ TEST_F(CompareCommand, WarnsOfTooFewClasses) {
   EXPECT_THAT(compare_matrices("good.npy bad.npy").errors, testing::Not(HasSubstr("p-value")));
 }
 
-TEST_F(CompareCommand, NamesFilesOfEqualNamesDifferently) {
+TEST_F(CompareCommand, GivesFilesOfTheSameNameUniqueMethodNames) {
   std::filesystem::create_directory(at("x"));
   std::filesystem::copy_file(at("bad.npy"), at("x/good.npy"));
   const auto names = [&](const std::string& inputs, const std::string& more = "") {
@@ -208,7 +208,7 @@ TEST_F(CompareCommand, NamesFilesOfEqualNamesDifferently) {
   expect_error_line(compare_matrices("good.npy bad.npy", "--names ours"), "1 names for 2 methods");
 }
 
-TEST(MeasuresCommand, ListsEveryMeasureOnce) {
+TEST(MeasuresCommand, ListsEveryRegisteredMeasureOnce) {
   const auto json = nlohmann::json::parse(run_executable("measures --format json").output);
   EXPECT_EQ(json[0]["name"], "NN");
   std::set<std::string> names;

@@ -23,7 +23,7 @@ class DatasetCommand : public CommandTest {
   }
 };
 
-TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
+TEST_F(DatasetCommand, InfoPrintsAConfigurationForTheDataSet) {
   const std::string output = dataset("info").output;
   const std::string key = "\"dataset\": ";
   const std::size_t begin = output.find(key);
@@ -55,7 +55,7 @@ TEST_F(DatasetCommand, InfoCountsSkippedFiles) {
   EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is not a shape, 1 folder\n"));
 }
 
-TEST_F(DatasetCommand, InfoCountsASplit) {
+TEST_F(DatasetCommand, InfoCountsOnlyTheModelsOfTheRequestedSplit) {
   for (const char* name : {"bed/train/1.off", "bed/test/2.off", "bed/test/3.off", "sofa/test/4.off"}) {
     write_text(at("parts/" + std::string(name)), test::text_of(at("T0.off")));
   }
@@ -67,7 +67,7 @@ TEST_F(DatasetCommand, InfoCountsASplit) {
   EXPECT_THAT(without.errors, HasSubstr("the layout shrec11 has no splits"));
 }
 
-TEST_F(DatasetCommand, EvaluateReadsItsLabels) {
+TEST_F(DatasetCommand, LabelsOfASplitAreAcceptedByTheEvaluateCommand) {
   write_text(at("all.csv"),
              "id,synsetId,subSynsetId,modelId,split\n000001,7,7,a,test\n000002,7,8,b,test\n000003,9,9,c,train\n");
   const std::string command = "dataset labels @ --layout shapenet --split test";
@@ -92,7 +92,7 @@ TEST_F(DatasetCommand, ValidateNamesUnusableModels) {
   EXPECT_THAT(outcome.output, HasSubstr("8 of 9 models can be used\n"));
 }
 
-TEST_F(DatasetCommand, AMissingFolderIsAnError) {
+TEST_F(DatasetCommand, InfoAndValidateRejectAMissingFolder) {
   for (const std::string command : {"info", "validate"}) {
     const Outcome outcome = run("dataset " + command + " /nowhere");
     EXPECT_EQ(outcome.status, 2);
@@ -100,7 +100,7 @@ TEST_F(DatasetCommand, AMissingFolderIsAnError) {
   }
 }
 
-TEST_F(DatasetCommand, ReportsTheFilesOfAnInterruptedGeneration) {
+TEST_F(DatasetCommand, ReportsIncompleteDataSetIfGenerationIsInterrupted) {
   BackgroundRun run(
       {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
       at("errors"));
@@ -112,7 +112,7 @@ TEST_F(DatasetCommand, ReportsTheFilesOfAnInterruptedGeneration) {
                                              " is incomplete; --replace replaces it\n");
 }
 
-TEST_F(DatasetCommand, InfoReadsGeneratedDataSets) {
+TEST_F(DatasetCommand, InfoDescribesGeneratedDataSets) {
   const Outcome generated = succeeded(run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000"));
   EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));
   EXPECT_THAT(run("dataset validate @made").output, HasSubstr("4 of 4 models"));

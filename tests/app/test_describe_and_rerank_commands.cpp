@@ -44,7 +44,7 @@ class DescribeCommand : public CommandTest {
   }
 };
 
-TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
+TEST_F(DescribeCommand, FeaturesGiveTheDistancesOfTheDescriptor) {
   ASSERT_EQ(describe(fmt::format("--descriptor d2 -o '{}'", at("f.csv").string())).status, 0);
   const auto distances = [&](const std::string& output, const std::string& distance) {
     return run_executable(
@@ -76,7 +76,7 @@ TEST_F(DescribeCommand, WritesOneRowPerShape) {
   EXPECT_TRUE(rows.row(1).transpose().isApprox(d2(box, {.points = 64, .bins = 8}).cast<double>(), 1e-6));
 }
 
-TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
+TEST_F(DescribeCommand, LearnsACodebookFromAllShapesAndWritesTheirIdsToCsv) {
   const std::string output = at("x.csv").string();
   succeeded(describe(fmt::format(
       "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output)));
@@ -100,7 +100,7 @@ TEST_F(DescribeCommand, GivesFilesOfEqualNamesDifferentIds) {
   const std::string b = fmt::format("'{}'", at("b/x.off").string());
   EXPECT_THAT(ids(a + " " + b), testing::ElementsAre("a/x", "b/x"));
   EXPECT_THAT(ids(a), testing::ElementsAre("x"));
-  expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "twice"}});
+  expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "is repeated"}});
 }
 
 TEST_F(DescribeCommand, OmitsTheRowsOfFailedShapes) {
@@ -112,7 +112,7 @@ TEST_F(DescribeCommand, OmitsTheRowsOfFailedShapes) {
   EXPECT_EQ(read_matrix(output, TableShape::any).numbers.rows(), 2);
 }
 
-TEST_F(DescribeCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(DescribeCommand, RejectsUnknownDescriptorsSettingsAndOutputFormats) {
   const std::string output = fmt::format("-o '{}'", at("x.npy").string());
   expect_error_lines({{fmt::format("describe {} {}", shapes(), output), "--descriptor"},
                       {fmt::format("describe {} {} --descriptor d3", shapes(), output), "d3"},
@@ -122,7 +122,7 @@ TEST_F(DescribeCommand, RejectsInvalidInputWithOneLine) {
                       {"describe --descriptor d2", "--list"}});
 }
 
-TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {
+TEST_F(DescribeCommand, FeaturesAreEvaluatedWithTheDistanceOfTheirDescriptor) {
   std::filesystem::create_directory(at("matrix"));
   test::write_text(at("classes.txt"), "a\na\nb\n");
   EXPECT_EQ(describe(fmt::format("--descriptor light_field --set pixels=16 -o '{}'", at("x.npy").string())).status, 0);
@@ -152,7 +152,7 @@ DistanceMatrix line() {
   return distances;
 }
 
-TEST_F(DescribeCommand, ReportsThatAnInterruptionWritesNothing) {
+TEST_F(DescribeCommand, ReportsThatNoFileIsWrittenIfInterrupted) {
   write_off(at("ball.off"), test::sphere(1, 5));
   std::vector<std::string> call{"describe"};
   for (int i = 0; i < 200; ++i) {  // enough for many seconds
@@ -171,7 +171,7 @@ TEST_F(DescribeCommand, ReportsThatAnInterruptionWritesNothing) {
 
 using RerankCommand = CommandTest;
 
-TEST_F(RerankCommand, MatchesTheLibrary) {
+TEST_F(RerankCommand, WritesTheDistancesOfTheLibraryFunctions) {
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
     const std::string call = fmt::format("rerank @d.npy --replace -o @r.npy {}", arguments);
@@ -197,7 +197,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST_F(RerankCommand, SparseResultsLeaveOtherFilesUnchanged) {
+TEST_F(RerankCommand, SparseOptionDoesNotWriteThroughALinkNextToTheOutput) {
   write_npy(at("d.npy"), line());
   test::write_text(at("mine"), "mine");
   std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
@@ -206,7 +206,7 @@ TEST_F(RerankCommand, SparseResultsLeaveOtherFilesUnchanged) {
   EXPECT_EQ(names_in(folder_.path()), (std::set<std::string>{"d.npy", "mine", "r.npy", "r.npy.part"}));
 }
 
-TEST_F(RerankCommand, AnInterruptionLeavesNoFile) {
+TEST_F(RerankCommand, WritesNoFileIfInterrupted) {
   constexpr Eigen::Index models = 2000;  // enough for some seconds
   write_npy(at("d.npy"), DistanceMatrix::NullaryExpr(models, models, [](Eigen::Index i, Eigen::Index j) {
               return static_cast<double>(std::abs(i - j));
@@ -258,7 +258,7 @@ TEST_F(RerankCommand, WarnsOfAsymmetricMatrices) {
                                                     "2;[^\n]*\n"));
 }
 
-TEST_F(RerankCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(RerankCommand, RejectsOptionsOutOfRangeAndNegativeDistances) {
   write_npy(at("d.npy"), line());
   write_npy(at("negative.npy"), -line());
   const std::string call = "rerank " + quoted("d.npy") + " -o " + quoted("r.npy") + " ";

@@ -42,7 +42,7 @@ class EvaluateCommand : public CommandTest {
   }
 };
 
-TEST_F(EvaluateCommand, StandardInputGivesTheResultsOfAFile) {
+TEST_F(EvaluateCommand, ScoresStandardInputLikeAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
     const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
@@ -63,7 +63,7 @@ TEST_F(EvaluateCommand, StandardInputGivesTheResultsOfAFile) {
                        "standard input (-)"}});
 }
 
-TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
+TEST_F(EvaluateCommand, MatrixOfEveryFormatHasTheKnownScores) {
   for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
     const Outcome outcome = succeeded(evaluate_toy("--format json", matrix));
     EXPECT_EQ(outcome.errors, "");
@@ -80,12 +80,12 @@ TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   }
 }
 
-TEST_F(EvaluateCommand, PrintsEqualAveragesAsOneRow) {
+TEST_F(EvaluateCommand, PrintsEqualMicroAndMacroAveragesAsOneRow) {
   const std::string equal = evaluate_toy("--measures P@3 --min-class-size 4").output;  // one class
   EXPECT_THAT(equal, testing::AllOf(HasSubstr("toy     psb       both "), testing::Not(HasSubstr("macro"))));
 }
 
-TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
+TEST_F(EvaluateCommand, WritesAnHtmlReportOfTheMatrix) {
   const Outcome outcome = succeeded(evaluate_toy("--report @report.html"));
   EXPECT_EQ(outcome.output, evaluate_toy("").output);
   const std::string page = text_of(at("report.html"));
@@ -97,7 +97,7 @@ TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
   EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
 }
 
-TEST_F(EvaluateCommand, FeaturesAreEvaluatedLikeTheirDistances) {
+TEST_F(EvaluateCommand, FeaturesHaveTheScoresOfTheirDistanceMatrix) {
   // The toy's values as features: the same figures and notes, by rows or (for the report) by the whole matrix.
   write_text(at("toy.csv"), "0\n1\n4\n2\n3.5\n7\n9\n");
   const Outcome expected = evaluate_toy("--per-query @matrix.csv");
@@ -111,7 +111,7 @@ TEST_F(EvaluateCommand, FeaturesAreEvaluatedLikeTheirDistances) {
   EXPECT_THAT(text_of(at("report.html")), HasSubstr("\"heat_map\":{\"side\":7"));
 }
 
-TEST_F(EvaluateCommand, MatchesRowsByIds) {
+TEST_F(EvaluateCommand, MatchesRowsToLabelsByTheirIds) {
   // The same matrix with permuted models: other rows have labels A and B.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
   const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids @ids.txt").output);
@@ -119,7 +119,7 @@ TEST_F(EvaluateCommand, MatchesRowsByIds) {
   EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
 }
 
-TEST_F(EvaluateCommand, OrderSelectsNaturalOrFileOrder) {
+TEST_F(EvaluateCommand, OrderOptionSelectsNaturalOrFileOrderOfRows) {
   // Princeton's tools take the rows in the classification's order: the first four rows are of class B then.
   write_text(at("listed.cla"), "PSB 1\n2 7\nB 0 4\n3\n4\n5\n6\nA 0 3\n0\n1\n2\n");
   const auto nn = [&](const std::string& order) {
@@ -132,7 +132,7 @@ TEST_F(EvaluateCommand, OrderSelectsNaturalOrFileOrder) {
   EXPECT_NEAR(nn(""), .571429, 1e-6);
 }
 
-TEST_F(EvaluateCommand, ReportsExcludedSmallClasses) {
+TEST_F(EvaluateCommand, ReportsClassesExcludedByTheMinimumSize) {
   const Outcome outcome = succeeded(evaluate_toy("--format json --min-class-size 4"));
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
   EXPECT_THAT(outcome.errors, HasSubstr("omitted as queries: 3 models"));
@@ -160,7 +160,7 @@ TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresDigitsAndIntervals) {
   EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
 }
 
-TEST_F(EvaluateCommand, ReportsAndOrdersTies) {
+TEST_F(EvaluateCommand, CountsTiedQueriesAndOrdersTiesAsRequested) {
   write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const auto nn = [&](const std::string& ties) {
@@ -178,7 +178,7 @@ TEST_F(EvaluateCommand, ReportsAndOrdersTies) {
   EXPECT_EQ(nn("expected"), 0.5);
 }
 
-TEST_F(EvaluateCommand, WarnsOfAnomalies) {
+TEST_F(EvaluateCommand, WarnsOfAnomaliesOfTheMatrix) {
   write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const Outcome outcome = succeeded(run("evaluate @odd.txt --labels @three.csv"));
@@ -186,14 +186,14 @@ TEST_F(EvaluateCommand, WarnsOfAnomalies) {
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(EvaluateCommand, DoesNotOverwriteTheListsOfAFolder) {
+TEST_F(EvaluateCommand, DoesNotOverwriteTheRankedListsOfAFolder) {
   write_text(at("lists/0"), "1\n");
   write_text(at("lists/1.csv"), "0\n");
   expect_error_line(evaluate_toy("--replace --per-query @lists/1.csv", "lists"), "would overwrite the input");
   EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
 }
 
-TEST_F(EvaluateCommand, OneClassScoresFullyWithoutClassIntervals) {
+TEST_F(EvaluateCommand, SingleClassScoresOneWithoutConfidenceIntervals) {
   write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
   const Outcome outcome = succeeded(run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json"));
   EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
@@ -202,7 +202,7 @@ TEST_F(EvaluateCommand, OneClassScoresFullyWithoutClassIntervals) {
   EXPECT_FALSE(json.contains("intervals"));
 }
 
-TEST_F(EvaluateCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(EvaluateCommand, RejectsMissingOrInconsistentMatricesAndLabels) {
   write_text(at("short.txt"), "0 1\n1 0\n");
   write_text(at("nan.txt"), "0 nan\n1 0\n");
   write_text(at("absent.txt"), "0\n1\n2\n3\n4\n5\n7\n");
@@ -237,7 +237,7 @@ TEST_F(EvaluateCommand, RejectsInvalidInputWithOneLine) {
   expect_error_lines(cases);
 }
 
-TEST_F(EvaluateCommand, PrintsEachQueryOnRequest) {
+TEST_F(EvaluateCommand, OptionEachQueryPrintsTheScoresOfEveryQuery) {
   const Outcome table = evaluate_toy("--each-query --format csv --measures NN");
   EXPECT_THAT(table.output, StartsWith("method,protocol,id,class,NN\ntoy,psb,0,A,100.0000\n"));
   EXPECT_THAT(table.output, HasSubstr("\n\nmethod,protocol,average,NN\ntoy,psb,micro,57.1429\n"));
@@ -253,7 +253,7 @@ TEST_F(EvaluateCommand, ReportsIncompleteRankedLists) {
   write_text(at("two.lists"), "0 1 3\n1 0 3\n2 4 3\n3 1 4\n");
   const auto evaluate = [&](const std::string& more) { return evaluate_toy("--format json " + more, "two.lists"); };
   const Outcome skipped = evaluate("");
-  EXPECT_THAT(skipped.errors, HasSubstr("warning: 3 of 7 queries have no answer"));
+  EXPECT_THAT(skipped.errors, HasSubstr("warning: 3 of 7 queries have no ranked list"));
   EXPECT_THAT(skipped.errors,
               HasSubstr("warning: 1 of 4 lists have fewer models than are relevant (lists of 2 models)"));
   EXPECT_THAT(skipped.errors, HasSubstr("warning: the lists have 2 of 7 models; the others count as not found"));
@@ -287,7 +287,7 @@ int warnings_in(const std::string& text) {
   return count;
 }
 
-TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
+TEST_F(EvaluateCommand, PlotsThePrecisionRecallCurveAndTheScoresOfClasses) {
   const Outcome outcome = succeeded(evaluate_toy("--measures FT --plot @pr.svg --plot-classes @classes.svg"));
   EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">Precision<"), HasSubstr("<path")));
   EXPECT_THAT(text_of(at("classes.svg")), AllOf(HasSubstr(">A<"), HasSubstr(">B<"), HasSubstr("FT")));
@@ -299,7 +299,7 @@ TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
   EXPECT_NE(text_of(at("same.svg")), text_of(at("pr.svg")));
 }
 
-TEST_F(EvaluateCommand, EachAnomalyIsOneWarning) {
+TEST_F(EvaluateCommand, PrintsOneWarningPerAnomaly) {
   write_npy(at("zero.npy"), DistanceMatrix::Zero(7, 7));
   const Outcome outcome = evaluate_toy("", "zero.npy");
   EXPECT_EQ(warnings_in(outcome.errors), 1) << outcome.errors;
@@ -312,7 +312,7 @@ TEST_F(EvaluateCommand, EachAnomalyIsOneWarning) {
   EXPECT_THAT(errors, HasSubstr("the answers to 7 of 7 queries"));
 }
 
-TEST_F(EvaluateCommand, IntervalsMatchCompareForAnyOrderOfClasses) {
+TEST_F(EvaluateCommand, ConfidenceIntervalsMatchCompareForAnyOrderOfClasses) {
   // Classes in another order than rows.
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));

@@ -29,12 +29,12 @@ class FileMessages : public CommandTest {
                "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"
                "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     for (const char* const name : {"ball.off", "ball.obj", "ball.ply", "ball.stl"}) {
-      shape_writer(at(name))(at(name), test::sphere(1, 1));
+      shape_writer(at(name))(at(name), test::sphere(1, 1), {});
     }
   }
 };
 
-TEST_F(FileMessages, PolygonsAreReportedOnce) {
+TEST_F(FileMessages, StateTheNumbersOfPolygonsAndTrianglesOnce) {
   const Outcome sdf =
       succeeded(run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv"))));
   EXPECT_THAT(sdf.errors, AllOf(HasSubstr("6 faces"), HasSubstr("12 triangles")));
@@ -50,7 +50,7 @@ TEST_F(FileMessages, PolygonsAreReportedOnce) {
   EXPECT_THAT(run("info @quads.off").output, testing::ContainsRegex("polygons +6\n"));
 }
 
-TEST_F(FileMessages, ALinkToItselfIsOneLine) {
+TEST_F(FileMessages, ReportALinkToItselfInOneLine) {
   fs::create_directory(at("data"));
   for (const char* const name : {"data/test.cla", "loop.npy", "loop.json"}) {
     fs::create_symlink(fs::path(name).filename(), at(name));
@@ -62,7 +62,7 @@ TEST_F(FileMessages, ALinkToItselfIsOneLine) {
        {"run " + quoted("loop.json"), at("loop.json").string() + ": no such file, or it cannot be read"}});
 }
 
-TEST_F(FileMessages, TrianglesAreNotReported) {
+TEST_F(FileMessages, DoNotMentionPolygonsForTriangleMeshes) {
   const Outcome sdf =
       run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("ball.off"), quoted("b.csv")));
   EXPECT_THAT(sdf.errors, Not(HasSubstr("polygon")));
@@ -70,7 +70,7 @@ TEST_F(FileMessages, TrianglesAreNotReported) {
   EXPECT_THAT(run("info @ball.off").output, Not(HasSubstr("polygon")));
 }
 
-TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
+TEST_F(FileMessages, StandardInputIsReadInTheFormatOfItsContent) {
   for (const char* const name : {"ball.off", "ball.obj", "ball.ply", "ball.stl"}) {
     const Outcome outcome = run_executable("info - < " + quoted(name));
     EXPECT_EQ(outcome.status, 0) << name << outcome.errors;
@@ -81,13 +81,13 @@ TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
   EXPECT_EQ(run("info @cloud").status, 0) << "so is a file without an extension";
 }
 
-TEST_F(FileMessages, UnrecognisedInputNamesTheFormatOption) {
+TEST_F(FileMessages, SuggestTheFormatOptionForUnrecognisedStandardInput) {
   write_text(at("bare"), "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");  // OFF without its keyword
   expect_error_line(run("info - < @bare"), "--input-format");
   EXPECT_EQ(run("info - --input-format off < @bare").status, 0);
 }
 
-TEST_F(FileMessages, EscapeControlSequences) {
+TEST_F(FileMessages, EscapeControlCharactersOfFileNames) {
   const std::string name =
       "a\x1b[31m\xC2\x9B"
       "7m.off";
@@ -105,7 +105,7 @@ TEST_F(FileMessages, EscapeControlSequences) {
   }
 }
 
-TEST_F(FileMessages, CircularLinksAreNamedAndTheOtherFilesProcessed) {
+TEST_F(FileMessages, NameCircularLinksWhileOtherFilesAreProcessed) {
   for (const char* const name : {"ant/1.off", "ant/2.off", "bee/1.off", "bee/2.off"}) {
     fs::create_directories(at("data") / fs::path(name).parent_path());
     fs::copy_file(at("ball.off"), at("data") / name);

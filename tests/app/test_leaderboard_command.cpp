@@ -40,7 +40,7 @@ TEST(LeaderboardCommand, RanksValidSubmissionsAndReportsInvalidOnes) {
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("bad.csv"), HasSubstr("odd.npy")));
 }
 
-TEST(LeaderboardCommand, PrintsACommonWarningOnce) {
+TEST(LeaderboardCommand, PrintsAWarningSharedBySubmissionsOnce) {
   const test_board::SmallBoard small;
   test::write_text(small.labels(),
                    "id,class\nm1,b\nm0,a\nm2,c\nm3,a\nm4,b\nm5,c\nm6,a\nm7,b\nm8,c\nm9,a\nm10,b\nm11,c\n");
@@ -49,7 +49,7 @@ TEST(LeaderboardCommand, PrintsACommonWarningOnce) {
   EXPECT_EQ(outcome.errors.find("--order"), outcome.errors.rfind("--order"));
 }
 
-TEST(LeaderboardCommand, ScoresMissingQueriesAsZeroByDefaultAndOnRequest) {
+TEST(LeaderboardCommand, ScoresMissingQueriesAsZeroByDefault) {
   const test_board::SmallBoard small;
   small.add("short.lists", "m0 m3 m6\nm1 m4 m7\n");
   const std::string table = run_executable(leaderboard(small, "--format csv")).output;
@@ -58,7 +58,7 @@ TEST(LeaderboardCommand, ScoresMissingQueriesAsZeroByDefaultAndOnRequest) {
   EXPECT_EQ(run_executable(leaderboard(small, "--format csv -c")).output, table);
 }
 
-TEST(LeaderboardCommand, UpdatesASite) {
+TEST(LeaderboardCommand, RewritesOnlyChangedPagesOfAnExistingSite) {
   const test_board::SmallBoard small;
   const std::string arguments = leaderboard(small, "-o " + shell_word(small.folder.path() / "site"));
   EXPECT_EQ(run_executable(arguments).status, 0);
@@ -91,7 +91,7 @@ TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
                       {sets + " " + shell_word(at("s")), "two data sets"}});
 }
 
-TEST(LeaderboardCommand, RejectsInvalidInput) {
+TEST(LeaderboardCommand, RejectsMissingLabelsUnknownMeasuresAndUnsuitableFolders) {
   const test_board::SmallBoard small;
   const std::string folder = shell_word(small.submissions());
   const std::string labels = " --labels " + shell_word(small.labels());

@@ -34,7 +34,7 @@ class NormalsCommand : public CommandTest {
   Shape cloud = test::random_points(test::sphere(10, 4), 3000, 1);
 };
 
-TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
+TEST_F(NormalsCommand, WritesOutwardNormalsAtFacesToCsv) {
   const Outcome outcome = succeeded(normals("mesh.off", "--at faces --offset 0.02", "x.csv"));
   EXPECT_EQ(outcome.output + outcome.errors, "");
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
@@ -50,9 +50,9 @@ TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
   }
 }
 
-TEST_F(NormalsCommand, WritesReadableCloudsInEveryFormat) {
+TEST_F(NormalsCommand, WritesCloudsWithNormalsInEveryFormat) {
   const Outcome outcome = succeeded(normals("cloud.off", "--offset auto", "x.ply"));
-  EXPECT_THAT(outcome.errors, StartsWith("shapegauge: offset 0.0"));
+  EXPECT_THAT(outcome.errors, StartsWith("shapegauge: offset: "));
   EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
   const Shape read = read_shape(at("x.ply"));
   const Shape written = read_shape(at("cloud.off"));
@@ -67,7 +67,7 @@ TEST_F(NormalsCommand, WritesReadableCloudsInEveryFormat) {
   EXPECT_THAT(text_of(at("x.npy")), HasSubstr("'shape': (3000, 3)"));
 }
 
-TEST_F(NormalsCommand, AreOutwardOnACleanCloudByDefault) {
+TEST_F(NormalsCommand, WritesOutwardNormalsOfACleanCloudByDefault) {
   ASSERT_EQ(normals("cloud.off", "", "x.ply").status, 0);
   const Shape read = read_shape(at("x.ply"));
   EXPECT_GT((read.normals.cwiseProduct(read.vertices).rowwise().sum().array() > 0).cast<double>().mean(), 0.99);
@@ -85,7 +85,7 @@ TEST_F(NormalsCommand, WarnsOfSamplesWithTheOutsideOnBothSides) {
   EXPECT_THAT(normals("mesh.off", "", "x.ply").errors, testing::Not(HasSubstr("both sides")));
 }
 
-TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
+TEST_F(NormalsCommand, WarnsIfTheOffsetDoesNotCloseTheGaps) {
   const Outcome outcome = succeeded(normals("cloud.off", "--offset 0.01", "x.csv"));
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
   EXPECT_THAT(outcome.errors, HasSubstr(" or --offset auto\n"));
@@ -119,7 +119,7 @@ TEST_F(NormalsCommand, DenoisesNoisyMeshesFirst) {
   EXPECT_LT(mean_cosine("noisy.xyz"), 0.99);
 }
 
-TEST_F(NormalsCommand, RejectsInvalidInput) {
+TEST_F(NormalsCommand, RejectsOffsetsOutOfRangeMissingFilesAndPngOutput) {
   for (const char* offset : {"0", "-1", "nan", "1.5", "automatic"}) {
     const Outcome outcome = normals("mesh.off", std::string("--offset ") + offset, "x.csv");
     EXPECT_EQ(outcome.status, 2);

@@ -69,7 +69,7 @@ class OutputFiles : public CommandTest {
   }
 };
 
-TEST_F(OutputFiles, EmptyNamesAreErrors) {
+TEST_F(OutputFiles, MustHaveANonEmptyName) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   for (const char* option : {"--report", "--pr", "--per-query", "--ids", "--targets"}) {
     expect_error_line(run(evaluate + option + " ''"), std::string(option) + ": must not be empty");
@@ -80,7 +80,7 @@ TEST_F(OutputFiles, EmptyNamesAreErrors) {
   expect_error_line(run("rerank '' -o @x.npy"), "distances: must not be empty");
 }
 
-TEST_F(OutputFiles, ExistingFilesNeedReplace) {
+TEST_F(OutputFiles, ReplaceExistingFilesOnlyOnRequest) {
   for (const WriterOfFiles& writer : writers()) {
     SCOPED_TRACE(writer.call);
     remove_outputs();
@@ -94,7 +94,7 @@ TEST_F(OutputFiles, ExistingFilesNeedReplace) {
   }
 }
 
-TEST_F(OutputFiles, MustNotBeInputsUnderAnyName) {
+TEST_F(OutputFiles, AreRejectedIfTheyAreLinksToInputs) {
   for (const WriterOfFiles& writer : writers()) {
     if (writer.input.empty()) continue;
     SCOPED_TRACE(writer.call);
@@ -110,7 +110,7 @@ TEST_F(OutputFiles, MustNotBeInputsUnderAnyName) {
   }
 }
 
-TEST_F(OutputFiles, MustDiffer) {
+TEST_F(OutputFiles, MustHaveDifferentPaths) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   expect_error_line(run(evaluate + "--per-query @x.csv --per-class @mine/../x.csv"), "would both be written to");
   fs::create_symlink(at("x.csv"), at("link.csv"));  // to a file that does not exist yet
@@ -121,7 +121,7 @@ TEST_F(OutputFiles, MustDiffer) {
   EXPECT_FALSE(fs::exists(at("z.json")));
 }
 
-TEST_F(OutputFiles, NeedTheExtensionOfTheirFormat) {
+TEST_F(OutputFiles, MustHaveTheExtensionOfTheirFormat) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   for (const auto& [call, possible] : std::vector<std::pair<std::string, std::string>>{
            {evaluate + "--pr @curve.pdf", ".csv or .plot"},
@@ -149,7 +149,7 @@ TEST_F(OutputFiles, NeedTheExtensionOfTheirFormat) {
   EXPECT_THAT(text_of(at("X.PLOT")), HasSubstr("0.050000\t"));
 }
 
-TEST_F(OutputFiles, AStandardStreamIsUsedOnce) {
+TEST_F(OutputFiles, UseEachStandardStreamAtMostOnce) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv --measures NN ";
   expect_error_line(run(evaluate + "--per-query -"), "not standard output");
   expect_error_line(run("evaluate - --labels - < @d.csv"), "once only");

@@ -32,7 +32,7 @@ TEST_F(PerturbCommand, AppliesPerturbationsInTheDocumentedOrder) {
   EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
 }
 
-TEST_F(PerturbCommand, WarnsIfDecimationKeepsMoreFaces) {
+TEST_F(PerturbCommand, WarnsIfDecimationStopsAboveTheRequestedNumberOfFaces) {
   const Outcome outcome = succeeded(perturb("x.off", "--decimate 1"));
   const auto left = read_shape(at("x.off")).triangles.rows();
   EXPECT_GT(left, 1);
@@ -40,7 +40,7 @@ TEST_F(PerturbCommand, WarnsIfDecimationKeepsMoreFaces) {
   EXPECT_EQ(perturb("x.off", "--decimate 100").errors, "");
 }
 
-TEST_F(PerturbCommand, DependsOnTheSeed) {
+TEST_F(PerturbCommand, OutputDependsOnTheSeed) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01 --seed 4").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --seed 4").status, 0);
   ASSERT_EQ(perturb("c.off", "--noise 0.01 --seed 5").status, 0);
@@ -58,7 +58,7 @@ TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
   EXPECT_EQ(perturb("near.stl", "--flip 1").errors, "");
 }
 
-TEST_F(PerturbCommand, KeepsTheAxisThatTheInputStates) {
+TEST_F(PerturbCommand, KeepsTheUpAxisStatedByTheInput) {
   write_off(at("sphere.off"), shape, "# up: -x");
   for (const char* name : {"x.off", "x.obj", "sphere.off"}) {
     ASSERT_EQ(perturb(name, "--noise 0.01").status, 0);
@@ -71,18 +71,18 @@ TEST_F(PerturbCommand, KeepsTheAxisThatTheInputStates) {
   EXPECT_EQ(read_shape(at("y.ply")).triangles.rows(), shape.triangles.rows());
 }
 
-TEST_F(PerturbCommand, WritesPointClouds) {
+TEST_F(PerturbCommand, PointsOptionWritesTheRequestedNumberOfPoints) {
   ASSERT_EQ(perturb("x.ply", "--points 50 --holes 1 --hole-radius 0.02").status, 0);
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));
 }
 
-TEST_F(PerturbCommand, WritesTheVerticesAsACloud) {
+TEST_F(PerturbCommand, VertexCloudOptionWritesTheVerticesAsACloud) {
   ASSERT_EQ(perturb("x.ply", "--vertex-cloud").status, 0);
   EXPECT_TRUE(is_cloud(read_shape(at("x.ply"))));
   EXPECT_EQ(read_shape(at("x.ply")).vertices, shape.vertices);
 }
 
-TEST_F(PerturbCommand, DefaultsMatchConfigurations) {
+TEST_F(PerturbCommand, AddsUniformNoiseByDefault) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --noise-distribution uniform").status, 0);
   ASSERT_EQ(perturb("c.off", "--noise 0.01 --noise-distribution gaussian").status, 0);
@@ -90,7 +90,7 @@ TEST_F(PerturbCommand, DefaultsMatchConfigurations) {
   EXPECT_NE(text_of(at("a.off")), text_of(at("c.off")));
 }
 
-TEST_F(PerturbCommand, RejectsInvalidOptions) {
+TEST_F(PerturbCommand, RejectsMissingPerturbationsAndAmountsOutOfRange) {
   EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("no perturbation given"));
   EXPECT_THAT(perturb("x.xlsx", "--noise 0.1").errors, HasSubstr("cannot write"));
   EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("--noise is -1"));

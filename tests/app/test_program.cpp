@@ -86,7 +86,7 @@ TEST_F(Program, HelpFitsTheTerminalAndIsLongerThanShortHelp) {
                                     HasSubstr("All options: shapegauge sdf --help")));
 }
 
-TEST_F(Program, ShowsTheShortHelpWhereACommandIsMissing) {
+TEST_F(Program, ShowsTheShortHelpIfTheCommandIsMissing) {
   for (const std::string command : {"", "dataset", "-q dataset"}) {
     const Outcome outcome = run_executable(command);
     EXPECT_EQ(outcome.status, 2) << command;
@@ -108,7 +108,7 @@ TEST_F(Program, NamesUnknownCommandsAndOptions) {
                       {"-q rum", "there is no command \"rum\""}});
 }
 
-TEST_F(Program, OptionsTakeOneValueEach) {
+TEST_F(Program, OptionTakesOneValueAndNotTheNextArgument) {
   test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
   test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const Outcome outcome =
@@ -116,23 +116,23 @@ TEST_F(Program, OptionsTakeOneValueEach) {
   EXPECT_THAT(outcome.output, HasSubstr("FT"));
 }
 
-TEST_F(Program, HelpIsACommandToo) {
+TEST_F(Program, HelpCommandPrintsTheHelpOfAnyCommand) {
   for (const std::string command : {"", "run", "dataset", "dataset info"}) {
     EXPECT_EQ(run_executable("help " + command).output, run_executable(command + " --help").output) << command;
   }
   EXPECT_THAT(run_executable("help").output, HasSubstr("143"));
 }
 
-TEST_F(Program, QuietOmitsNotesAndVerboseAddsThem) {
+TEST_F(Program, QuietOptionOmitsNotesAndVerboseAddsThem) {
   const std::string normals = "normals " + quoted("data/T0.off") + " --replace -o " + quoted("x.npy");
-  EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset 0.01 chosen"));
+  EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset: 1 % of the diagonal"));
   EXPECT_EQ(run_executable("-q " + normals).errors, "");
   EXPECT_EQ(run_executable(normals + " --quiet").errors, "");
   EXPECT_THAT(run_executable(normals + " -v").errors, MatchesRegex("(.|\n)*shapegauge normals took [0-9.]+ s\n"));
   EXPECT_EQ(run_executable(normals + " -v -q").status, 2);
 }
 
-TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
+TEST_F(Program, CompletionOffersCommandsOptionsAndChoices) {
   const auto complete = [&](const std::string& words, int position) {
     const std::string script = fmt::format(
         "bash -c 'source <({} completion bash); COMP_WORDS=({}); COMP_CWORD={}; _shapegauge; echo ${{COMPREPLY[@]}}' > "
@@ -150,7 +150,7 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
   EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
 }
 
-TEST_F(Program, AClosedErrorStreamLosesNoResults) {
+TEST_F(Program, WritesResultsIfTheErrorStreamIsClosed) {
   test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties cause a warning
   test::write_text(at("l.txt"), "a\na\nb\n");
   const auto status_with = [&](const std::string& arguments, const std::string& streams) {
@@ -195,7 +195,7 @@ TEST_F(Program, RejectsAClosedOutputStream) {
   }
 }
 
-TEST_F(Program, ContinuesAfterABrokenPipe) {
+TEST_F(Program, CompletesARunAfterABrokenPipe) {
   // Warnings about ties are written after the reader has closed the pipe.
   const std::string command = fmt::format(
       "bash -c \"SHAPEGAUGE_CACHE= {} run {} --set signatures.0.histogram.bins=1 --output {} 2>&1 > "
@@ -219,7 +219,7 @@ TEST_F(Program, ShortOptionsHaveOneMeaningInAllCommands) {
   EXPECT_EQ(meanings.at("-o"), "--output");
 }
 
-TEST_F(Program, AFullOutputDeviceIsAnError) {
+TEST_F(Program, ReportsAnErrorIfTheOutputDeviceIsFull) {
   test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
   test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const std::string evaluate = " " + quoted("d.csv") + " --labels " + quoted("c.cla");

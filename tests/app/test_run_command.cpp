@@ -32,7 +32,7 @@ class ReplayReport : public SmallRun {
   }
 };
 
-TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
+TEST_F(ReplayReport, ConfirmsIdenticalOutputsForUnchangedInputs) {
   const Outcome outcome = succeeded(replay("--threads 3"));
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
@@ -42,7 +42,7 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
-TEST_F(SmallRun, RunAndComparePlotTheCurves) {
+TEST_F(SmallRun, RunAndCompareCommandsPlotPrecisionRecallCurves) {
   const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
   const Outcome outcome = succeeded(run_executable(run + " --plot " + quoted("run.svg")));
   const std::string drawn = text_of(at("run.svg"));
@@ -73,7 +73,7 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   EXPECT_EQ(run_executable(run + " --dry-run --set signatures.0.histogram.bins=7").status, 2);
 }
 
-TEST_F(SmallRun, EvaluateReadsTheFolderOfARun) {
+TEST_F(SmallRun, EvaluateCommandScoresTheFolderOfARun) {
   ASSERT_EQ(run("run @small.json --output @out").status, 0);
   EXPECT_EQ(text_of(at("out/distances/ids.txt")), "0\n1\n2\n3\n4\n5\n6\n7\n8\n");
   const Outcome all = succeeded(run("evaluate @out --protocol paper --format csv"));
@@ -85,7 +85,7 @@ TEST_F(SmallRun, EvaluateReadsTheFolderOfARun) {
   EXPECT_EQ(nlohmann::json::parse(json.output).size(), 4U);
 }
 
-TEST_F(SmallRun, IdsNextToAMatrixDetermineItsOrder) {
+TEST_F(SmallRun, IdsNextToAMatrixDetermineTheOrderOfItsRows) {
   ASSERT_EQ(run("run @small.json --output @out").status, 0);
   const std::string evaluate = "evaluate " + quoted("out/distances/fixed.npy") + " --format csv --labels ";
   write_text(at("shuffled.csv"), "id,class\n8,c\n0,a\n1,b\n2,c\n3,a\n4,b\n5,c\n6,a\n7,b\n");
@@ -101,7 +101,7 @@ TEST_F(ReplayReport, AcceptsAnotherFolderOfTheDataSet) {
   EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
 }
 
-TEST_F(ReplayReport, DoesNotUseTheCache) {
+TEST_F(ReplayReport, RecomputesResultsWithoutTheCache) {
   const std::string cache = " --cache " + quoted("cache");
   EXPECT_THAT(replay(cache).output, HasSubstr("All 15"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
@@ -118,14 +118,14 @@ TEST_F(ReplayReport, NamesChangedInputsAndDifferentOutputs) {
                                            "inputs differ as well\\.\n"));
 }
 
-TEST_F(ReplayReport, ReportsDifferentOutputsOfOtherSettings) {
+TEST_F(ReplayReport, ReportsOutputsChangedByAnOverriddenSetting) {
   const Outcome outcome = replay("--set signatures.0.histogram.bins=7");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/per_shape.npy\n"));
 }
 
-TEST_F(ReplayReport, RepeatsComparisons) {
+TEST_F(ReplayReport, RepeatsShapeComparisons) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
     {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
@@ -143,7 +143,7 @@ TEST_F(ReplayReport, RepeatsComparisons) {
   EXPECT_THAT(changed.output, HasSubstr("input         shape b"));
 }
 
-TEST_F(ReplayReport, NamesChangedInputsOfSegmentationsFirst) {
+TEST_F(ReplayReport, NamesChangedInputsOfSegmentations) {
   write_text(at("parts.json"), R"({"name": "parts", "pictures": false,
     "dataset": {"layout": "shrec11", "root": "data"}, "segmentation": [{"name": "paper", "method": "paper"}]})");
   ASSERT_EQ(run("run @parts.json --output @parts").status, 0);
@@ -153,7 +153,7 @@ TEST_F(ReplayReport, NamesChangedInputsOfSegmentationsFirst) {
   EXPECT_THAT(changed.errors, HasSubstr("input: model 1 differs from the recorded one\n")) << "before the run";
 }
 
-TEST_F(ReplayReport, RejectsInvalidArgumentsWithOneLine) {
+TEST_F(ReplayReport, RejectsIncompleteManifestsMissingFoldersAndExclusiveOptions) {
   const std::string manifest = "run --replay " + quoted("out/manifest.json");
   write_text(at("text.json"), "{}");
   expect_error_lines(
@@ -172,7 +172,7 @@ class RunCommand : public SmallRun {
   }
 };
 
-TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
+TEST_F(RunCommand, PrintsTheSummaryAndWritesTheResultFiles) {
   const Outcome outcome = succeeded(run_small());
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       both     100.00"));
@@ -215,7 +215,7 @@ TEST_F(RunCommand, SkipsAndNamesUnusableModelsOnRequest) {
 }
 
 TEST_F(RunCommand, NamesMethodsThatCannotProcessAModel) {
-  test::make_cloud(at("data/T3.off"));
+  test::replace_by_cloud(at("data/T3.off"));
   const std::string d2 = R"( --set 'signatures=[{"name": "d2", "descriptor": {"type": "d2"}}, {"name": "dna", )"
                          R"("descriptor": {"type": "shape_dna", "eigenvalues": 5}}]')";
   const Outcome outcome = run_small("--set on_error=skip" + d2);
@@ -225,7 +225,7 @@ TEST_F(RunCommand, NamesMethodsThatCannotProcessAModel) {
   EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +both "));
 }
 
-TEST_F(RunCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(RunCommand, RejectsMissingFilesUnknownKeysAndInvalidOptionValues) {
   const std::string file = "run " + quoted("small.json") + " ";
   const std::string out = " --output " + quoted("out") + " ";
   expect_error_lines(
@@ -240,7 +240,7 @@ TEST_F(RunCommand, RejectsInvalidInputWithOneLine) {
        {file + out + "--frobnicate", "--frobnicate"},
        {file + out + "--threads 0", "--threads"},
        {file + out + "--threads many", "--threads"},
-       {"run", "configuration is required"}});
+       {"run", "configuration file is required"}});
 }
 
 TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
@@ -259,7 +259,7 @@ TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
   expect_error_line(run("run --replay @out/manifest.json -o @out"), "would overwrite the input");
 }
 
-TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
+TEST_F(RunCommand, CountsModelsWhoseOffsetDoesNotCloseTheirGapsInAllOutputs) {
   Shape open_box = test::small_shape("box", 0);
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
@@ -277,7 +277,7 @@ TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
       << "auto closes the opening";
 }
 
-TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
+TEST_F(RunCommand, WarnsIfAnOffsetDoesNotCloseTheGapsInShapeComparisons) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"},
     {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],
@@ -290,7 +290,7 @@ TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
             1);
 }
 
-TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
+TEST_F(RunCommand, WritesNoResultsIfInterrupted) {
   // `timeout` sends the signal while the models are worked on: very many rays from larger spheres take long enough.
   for (const char* model : {"T0.off", "T3.off", "T6.off"}) write_off(at("data") / model, test::sphere(1, 3));
   const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 2 " + executable_for_shell() +

@@ -70,7 +70,7 @@ class RunParts : public SmallRun {
   }
 };
 
-TEST_F(RunParts, TheRunComputesMissingParts) {
+TEST_F(RunParts, AreComputedByTheFinalRunIfMissing) {
   for (const char* part : {"1/2", "3/3"}) {
     const Outcome outcome = succeeded(run_part(part));
     EXPECT_EQ(outcome.errors, "");
@@ -81,7 +81,7 @@ TEST_F(RunParts, TheRunComputesMissingParts) {
   EXPECT_EQ(cache_use()["computed"], 3);
 }
 
-TEST_F(RunParts, SimultaneousPartsGiveTheBytesOfOneProcess) {
+TEST_F(RunParts, InParallelGiveTheResultsOfOneProcess) {
   {
     BackgroundRun first(arguments("1/2"), at("errors1"));
     BackgroundRun same(arguments("1/2"), at("errors2"));
@@ -93,7 +93,7 @@ TEST_F(RunParts, SimultaneousPartsGiveTheBytesOfOneProcess) {
   EXPECT_EQ(cache_use()["computed"], 0);
 }
 
-TEST_F(RunParts, AKilledPartContinues) {
+TEST_F(RunParts, ContinueFromTheCacheAfterBeingKilled) {
   take_long();
   BackgroundRun part(arguments("1/2"), at("errors"));
   ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 2; }));
@@ -107,7 +107,7 @@ TEST_F(RunParts, AKilledPartContinues) {
   EXPECT_EQ(combined(), results_of_one());
 }
 
-TEST_F(RunParts, ATerminatedPartSaysHowToContinue) {
+TEST_F(RunParts, SayHowToContinueWhenTerminated) {
   take_long();
   BackgroundRun part(arguments("1/1"), at("errors"));
   ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 1; }));
@@ -116,7 +116,7 @@ TEST_F(RunParts, ATerminatedPartSaysHowToContinue) {
   EXPECT_THAT(text_of(at("errors")), HasSubstr("Completed shapes are in the cache; the same command continues"));
 }
 
-TEST_F(RunParts, EntriesOfAnotherVersionAreIgnored) {
+TEST_F(RunParts, RecomputeCacheEntriesOfAnotherFormatVersion) {
   ASSERT_EQ(run_part("1/2").status, 0);
   // Those of another version have other keys; those of another format are damaged.
   for (const auto& entry : fs::recursive_directory_iterator(at("cache"))) {
@@ -132,7 +132,7 @@ TEST_F(RunParts, EntriesOfAnotherVersionAreIgnored) {
   EXPECT_EQ(cache_use()["computed"], 0);
 }
 
-TEST_F(RunParts, AFailedModelStopsItsPartUnlessSkipped) {
+TEST_F(RunParts, StopAtAFailedModelUnlessItIsSkipped) {
   write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   EXPECT_EQ(run_part("2/2").status, 0);
   const Outcome stopped = run_part("1/2");
@@ -144,7 +144,7 @@ TEST_F(RunParts, AFailedModelStopsItsPartUnlessSkipped) {
   EXPECT_THAT(skipped.output, HasSubstr("4 of 9 models"));
 }
 
-TEST_F(RunParts, ShareAGeneratedDataSet) {
+TEST_F(RunParts, ShareOneGeneratedDataSet) {
   json configuration = json::parse(text_of(at("small.json")));
   configuration["dataset"] = {{"generate", {{"classes", 3}, {"models_per_class", 2}, {"faces", 1000}}}};
   write_text(at("small.json"), configuration.dump());
@@ -160,7 +160,7 @@ TEST_F(RunParts, ShareAGeneratedDataSet) {
   EXPECT_EQ(together, alone);
 }
 
-TEST_F(RunParts, AutoTakesThePartOfTheJobArray) {
+TEST_F(RunParts, AutomaticPartFollowsTheTaskOfTheJobArray) {
   const std::string command =
       "run " + quoted("small.json") + " --part auto --output " + quoted("out") + " --cache " + quoted("cache");
   ::setenv("SLURM_ARRAY_TASK_ID", "3", 1);
@@ -171,14 +171,14 @@ TEST_F(RunParts, AutoTakesThePartOfTheJobArray) {
   EXPECT_THAT(outcome.output, HasSubstr("Part 3 of 4: 2 of 9 models"));
 }
 
-TEST_F(RunParts, RejectInvalidOptions) {
+TEST_F(RunParts, RejectPartNumbersOutOfRangeAndRunsWithoutACache) {
   const std::string run = "run " + quoted("small.json") + " --part ";
   expect_error_lines(
       {{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}, {run + "1/2 --plot x.svg", "--plot"}});
   EXPECT_EQ(run_part("1/2", "small.json/cache").status, 2) << "a part that nothing can keep";
 }
 
-TEST_F(RunParts, ValidateTheirModels) {
+TEST_F(RunParts, ValidateOnlyTheModelsOfTheirPart) {
   write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   const std::string validate = "dataset validate " + quoted("data") + " --part ";
   const Outcome first = run_executable(validate + "1/2");
@@ -190,7 +190,7 @@ TEST_F(RunParts, ValidateTheirModels) {
 
 /// Streamed distances need more models than a matrix in memory has. Nothing waits for models that fail: one has no
 /// area, the file of another is missing.
-TEST_F(RunParts, EvaluateRowsOfManyModels) {
+TEST_F(RunParts, EvaluateThousandsOfModelsRowByRow) {
   std::string classification = "PSB 1\n2 2950\n";
   for (int i = 0; i < 2950; ++i) {
     if (i % 1475 == 0) classification += fmt::format("\nclass{} 0 1475\n", i);

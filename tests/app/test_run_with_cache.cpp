@@ -52,7 +52,7 @@ class RunWithCache : public SmallRun {
   }
 };
 
-TEST_F(RunWithCache, ReportsTheUseOfTheCache) {
+TEST_F(RunWithCache, ReportsHowManyResultsCameFromTheCache) {
   const Outcome cold = run_with_cache("out");
   EXPECT_EQ(cold.errors, "");
   EXPECT_THAT(cold.output, testing::Not(HasSubstr("From the cache")));
@@ -70,7 +70,7 @@ TEST_F(RunWithCache, ReportsTheUseOfTheCache) {
   EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", 0}, {"computed", 9}}));
 }
 
-TEST_F(RunWithCache, AKilledRunLosesAtMostTheCurrentShape) {
+TEST_F(RunWithCache, LosesAtMostTheCurrentShapeWhenKilled) {
   write_configuration(2000);
   std::size_t kept = 0;
   {
@@ -90,7 +90,7 @@ TEST_F(RunWithCache, AKilledRunLosesAtMostTheCurrentShape) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, KilledRunsLeaveNoInvalidFiles) {
+TEST_F(RunWithCache, LeavesNoInvalidFilesWhenKilled) {
   write_configuration(2000);
   for (std::size_t fields = 1; fields < 9; fields += 2) {
     BackgroundRun killed(arguments("out"), at("errors"));
@@ -103,7 +103,7 @@ TEST_F(RunWithCache, KilledRunsLeaveNoInvalidFiles) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, AnInterruptedRunContinuesFromTheCache) {
+TEST_F(RunWithCache, ContinuesFromTheCacheAfterAnInterruption) {
   write_configuration(2000);
   std::size_t kept = 0;
   for (const auto& [signal, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
@@ -120,7 +120,7 @@ TEST_F(RunWithCache, AnInterruptedRunContinuesFromTheCache) {
   EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
 }
 
-TEST_F(RunWithCache, ASecondRunIntoTheSameFolderIsRefused) {
+TEST_F(RunWithCache, RejectsASecondRunIntoTheSameFolder) {
   write_configuration(1000);
   BackgroundRun first(arguments("out"), at("errors"));
   ASSERT_TRUE(first.wait_until([&] { return fields_kept() >= 1; })) << text_of(at("errors"));
@@ -133,7 +133,7 @@ TEST_F(RunWithCache, ASecondRunIntoTheSameFolderIsRefused) {
   EXPECT_EQ(text_of(at("errors")), "");
 }
 
-TEST_F(RunWithCache, TwoRunsMayShareACache) {
+TEST_F(RunWithCache, TwoRunsCanShareOneCache) {
   BackgroundRun first(arguments("out"), at("errors"));
   const Outcome second = run_with_cache("out2");
   EXPECT_EQ(first.wait(), 0);
@@ -143,7 +143,7 @@ TEST_F(RunWithCache, TwoRunsMayShareACache) {
   EXPECT_EQ(fields_kept(), 9U);
 }
 
-TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {
+TEST_F(RunWithCache, RecomputesDamagedEntriesWithOneWarning) {
   ASSERT_EQ(run_with_cache("out").status, 0);
   const auto fresh = results_in(at("out"));
   for (const CacheFile& file : cache_files(at("cache"))) {

@@ -45,14 +45,14 @@ TEST_F(SdfCommand, WritesValuesInTheUnitsAndOrderOfTheFile) {
   }
 }
 
-TEST_F(SdfCommand, WithoutOptionsTheOffsetSdfIsSummarised) {
+TEST_F(SdfCommand, PrintsASummaryOfTheOffsetSdfByDefault) {
   const Outcome outcome = succeeded(sdf(""));
   EXPECT_THAT(outcome.output, StartsWith("shape "));
   EXPECT_EQ(outcome.output, sdf("--method offset_sdf --offset 5% --summary").output);
   EXPECT_EQ(sdf("--method cone_sdf").output, sdf("--method cone_sdf --summary").output);
 }
 
-TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
+TEST_F(SdfCommand, OffsetSdfOfASphereIsItsDiameter) {
   ASSERT_EQ(sdf("--method offset_sdf --offset 0.02 -o @x.csv").status, 0);
   // The icosphere is a little thinner than the sphere, and its flat faces are nearer to the centre than its corners.
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
@@ -60,7 +60,7 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
 }
 
-TEST_F(SdfCommand, ReportsAndRemovesOutliers) {
+TEST_F(SdfCommand, ReportsOutliersAndRemovesThemOnRequest) {
   const Shape cloud = test::random_points(shape, 3000, 1);
   Shape spoilt = cloud;
   spoilt.vertices.conservativeResize(3002, Eigen::NoChange);
@@ -79,7 +79,7 @@ TEST_F(SdfCommand, ReportsAndRemovesOutliers) {
   }
 }
 
-TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
+TEST_F(SdfCommand, WritesValuesAtThePointsOfACloudInEveryFormat) {
   const Shape cloud = test::random_points(shape, 500, 1);
   std::string lines = "500\n";
   for (const auto& point : cloud.vertices.rowwise()) {
@@ -105,7 +105,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
   EXPECT_EQ(text_of(at("v.csv")), text_of(at("x.csv")));
 }
 
-TEST_F(SdfCommand, TimingsCountTheSamples) {
+TEST_F(SdfCommand, TimingsContainTheNumberOfSamplesPerOutcome) {
   ASSERT_EQ(sdf("--method offset_sdf -o @x.ply --timings @t.json").status, 0);
   const auto timings = nlohmann::json::parse(text_of(at("t.json")));
   for (const char* key : {"read_seconds", "build_seconds", "query_seconds"}) EXPECT_GE(timings.at(key), 0) << key;
@@ -133,7 +133,7 @@ TEST_F(SdfCommand, TimingsContainTheGapSize) {
               0.0055 * bounding_box_diagonal(open));
 }
 
-TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
+TEST_F(SdfCommand, PrintsSummariesInTheRequestedFormatAndUnit) {
   const auto json =
       nlohmann::json::parse(sdf("--method inscribed_ball --summary --format json --unit cm --below 210mm").output);
   EXPECT_NEAR(json["percentiles"]["50"].get<double>(), 20, 0.5);
@@ -148,7 +148,7 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
   EXPECT_THAT(sdf("--method cone_sdf --summary --unit mm").output, HasSubstr("median (mm)"));
 }
 
-TEST_F(SdfCommand, GltfIsInMetres) {
+TEST_F(SdfCommand, RejectsAnotherUnitThanMetresForGltf) {
   const std::string absent = "sdf " + quoted("absent.glb") + " --method inscribed_ball --summary --below 1.2";
   const std::string others = " " + quoted("absent.glb") + " -o x.ply --offset 1mm";
   const std::string segment = "segment --method paper" + others;
@@ -160,7 +160,7 @@ TEST_F(SdfCommand, GltfIsInMetres) {
                       {segment, "No such file"}});
 }
 
-TEST_F(SdfCommand, AnOffsetMayBeALength) {
+TEST_F(SdfCommand, AcceptsOffsetsAsLengthFractionOrPercentage) {
   const double diagonal = bounding_box_diagonal(shape);
   ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o @length.npy").status, 0);
   ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o @fraction.npy", 1 / diagonal)).status, 0);
@@ -170,7 +170,7 @@ TEST_F(SdfCommand, AnOffsetMayBeALength) {
   EXPECT_TRUE(text_of(at("percent.npy")) == text_of(at("three.npy")));
 }
 
-TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
+TEST_F(SdfCommand, PicturesHaveALegendAndTheRequestedRange) {
   const std::string picture = "--method cone_sdf --picture-size 640x480 -o @";
   ASSERT_EQ(sdf(picture + "with.png --unit mm").status, 0);
   ASSERT_EQ(sdf(picture + "without.png --no-legend").status, 0);
@@ -181,20 +181,20 @@ TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
   EXPECT_EQ(read_shape(at("x.ply")).triangles, shape.triangles);
 }
 
-TEST_F(SdfCommand, FilesNameTheMethodUnlessItIsAnSdf) {
+TEST_F(SdfCommand, CsvColumnIsNamedSdfOrInscribedBallByMethod) {
   ASSERT_EQ(sdf("--method ball -o @ball.csv").status, 0);
   EXPECT_THAT(text_of(at("ball.csv")), testing::StartsWith("index,inscribed_ball,weight\n"));
   ASSERT_EQ(sdf("--method cone_sdf -o @cone.csv").status, 0);
   EXPECT_THAT(text_of(at("cone.csv")), testing::StartsWith("index,sdf,weight\n"));
 }
 
-TEST_F(SdfCommand, PlotsAHistogram) {
+TEST_F(SdfCommand, PlotsAHistogramOfValues) {
   ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot @x.svg").status, 0);
   EXPECT_THAT(text_of(at("x.svg")),
               testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
 }
 
-TEST_F(SdfCommand, ReportsHollowBodies) {
+TEST_F(SdfCommand, WarnsOfHollowBodies) {
   write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
   EXPECT_THAT(sdf("--method offset_sdf -o @x.csv").errors,
               testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
@@ -213,7 +213,7 @@ TEST_F(SdfCommand, WarnsOfMissingValues) {
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
 }
 
-TEST_F(SdfCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(SdfCommand, RejectsUnusableShapesAndInvalidOptionValues) {
   write_text(at("cloud.off"), "OFF\n2 0 0\n0 0 0\n1 0 0\n");
   write_text(at("point.xyz"), "1 2 3\n1 2 3\n");
   write_text(at("nan.xyz"), "1 2 3\n1 2 nan\n");

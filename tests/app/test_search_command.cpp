@@ -35,7 +35,7 @@ class SearchCommand : public CommandTest {
   }
 };
 
-TEST_F(SearchCommand, NamesTheNearestShapes) {
+TEST_F(SearchCommand, ListsTheNearestShapesOfAQuery) {
   const Outcome outcome = succeeded(search("query.off", "-k 3"));
   EXPECT_THAT(outcome.output, HasSubstr("rank"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
@@ -55,7 +55,7 @@ TEST_F(SearchCommand, CountsSkippedFilesOfTheCollection) {
   EXPECT_THAT(search("query.off", "").errors, Not(HasSubstr("skipped")));
 }
 
-TEST_F(SearchCommand, AllFormatsHaveTheSameResults) {
+TEST_F(SearchCommand, PrintsTheSameResultsInEveryFormat) {
   const nlohmann::json json = nlohmann::json::parse(search("models/T4.off", "-k 4 --format json").output);
   EXPECT_EQ(json["models"], 9);
   EXPECT_EQ(json["signature"], "more");
@@ -74,7 +74,7 @@ TEST_F(SearchCommand, AllFormatsHaveTheSameResults) {
   }
 }
 
-TEST_F(SearchCommand, UsesTheNamedSignatureAndSettings) {
+TEST_F(SearchCommand, DistancesFollowTheRequestedSignatureAndSettings) {
   const auto distance = [&](const std::string& options) {
     const auto json = nlohmann::json::parse(search("query.off", options + " -k 1 --format json").output);
     return json["queries"][0]["results"][0]["distance"].get<double>();
@@ -84,7 +84,7 @@ TEST_F(SearchCommand, UsesTheNamedSignatureAndSettings) {
   EXPECT_EQ(distance("--signature d2 --set signatures.0.descriptor.bins=30"), of_last);
 }
 
-TEST_F(SearchCommand, NamesUnusableFilesAndAnswersOtherQueries) {
+TEST_F(SearchCommand, NamesUnusableQueriesAndAnswersOtherQueries) {
   test::write_text(at("models/T7.off"), "OFF\n1 0 0\n0 0\n");
   test::write_text(at("broken.off"), "OFF\n");
   const Outcome outcome = search(quoted("broken.off") + " " + quoted("query.off") + " " + quoted("models"));
@@ -98,7 +98,7 @@ TEST_F(SearchCommand, NamesUnusableFilesAndAnswersOtherQueries) {
   EXPECT_EQ(search("broken.off", "").status, 2);
 }
 
-TEST_F(SearchCommand, OnlyIndexesWithoutQueriesAndOnlySearchesWithNoUpdate) {
+TEST_F(SearchCommand, WritesOnlyTheIndexWithoutQueriesAndKeepsItWithNoUpdate) {
   const Outcome described = succeeded(search(quoted("models") + " --index " + quoted("own.index")));
   EXPECT_EQ(described.output, "");
   ASSERT_TRUE(std::filesystem::exists(at("own.index")));
@@ -109,7 +109,7 @@ TEST_F(SearchCommand, OnlyIndexesWithoutQueriesAndOnlySearchesWithNoUpdate) {
   expect_error_line(search("query.off", "--no-update --index " + quoted("absent.index")), "absent.index");
 }
 
-TEST_F(SearchCommand, WritesAPage) {
+TEST_F(SearchCommand, WritesAnHtmlPageOfTheResults) {
   test::write_text(at("broken.off"), "OFF\n");
   const std::string queries = quoted("broken.off") + " " + quoted("query.off") + " " + quoted("models");
   EXPECT_EQ(search(queries + " -k 2 -o " + quoted("one.html")).status, 1);
@@ -123,7 +123,7 @@ TEST_F(SearchCommand, WritesAPage) {
   expect_error_line(search(quoted("models") + " -o " + quoted("new.html")), "--output requires queries");
 }
 
-TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
+TEST_F(SearchCommand, RejectsMissingCollectionsInvalidIndexesAndUnknownSignatures) {
   expect_error_line(run_executable("search"), "paths is required");
   expect_error_line(run("search @query.off"), "is not a collection");
   expect_error_line(run("search @absent"), "No such file or directory");
@@ -137,13 +137,13 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 
-TEST_F(SearchCommand, ArticulatedSelectsAnotherMethodAndIndex) {
+TEST_F(SearchCommand, ArticulatedOptionSelectsItsOwnMethodAndIndex) {
   const Outcome outcome = succeeded(run("search @query.off @models -k 3 --articulated --cache @cache"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));
 }
 
-TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {
+TEST_F(SearchCommand, RerankOptionWorksWithTheDefaultMethod) {
   const Outcome outcome = succeeded(run("search @query.off @models -k 3 --rerank --format json --cache @cache"));
   const nlohmann::json json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["reranked"], true);

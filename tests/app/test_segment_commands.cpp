@@ -48,7 +48,7 @@ class SegmentCommands : public CommandTest {
   }
 };
 
-TEST_F(SegmentCommands, SegmentWritesALineAFace) {
+TEST_F(SegmentCommands, SegmentWritesOneLinePerFace) {
   for (const char* method : {"best", "paper"}) {
     const Outcome outcome =
         succeeded(run(fmt::format("segment @psb/off/1.off --method {} --replace -o @x.seg", method)));
@@ -58,7 +58,7 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   }
 }
 
-TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
+TEST_F(SegmentCommands, SegmentWritesASegFileByDefaultAndAcceptsFolders) {
   write_off(at("balls.off"), two_balls());
   const WorkingFolder here(folder_.path());
   const Outcome one = succeeded(run("segment balls.off"));
@@ -71,7 +71,13 @@ TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
   expect_error_lines({{"segment psb", "the folder has no shapes"}});
 }
 
-TEST_F(SegmentCommands, AutomaticOffsetsIgnoreOutliers) {
+TEST_F(SegmentCommands, WarnOfMorePartsThanRequested) {
+  write_off(at("balls.off"), two_balls());
+  EXPECT_THAT(succeeded(run("segment @balls.off -o @one.seg --parts 1")).errors, HasSubstr("2 parts instead of 1"));
+  EXPECT_THAT(succeeded(run("segment @balls.off -o @two.seg --parts 2")).errors, testing::Not(HasSubstr("instead")));
+}
+
+TEST_F(SegmentCommands, SegmentIgnoresOutliersInTheAutomaticOffset) {
   Shape cloud = test::random_points(test::box({2, 2, 0.4}, 1), 2000, 1);
   cloud.vertices.conservativeResize(2003, Eigen::NoChange);
   cloud.vertices.bottomRows<3>() << 30, 0, 0, 0, 30, 0, 0, 0, 30;
@@ -87,7 +93,7 @@ TEST_F(SegmentCommands, AutomaticOffsetsIgnoreOutliers) {
   EXPECT_EQ(lines_with("--method paper --offset 5% --remove-outliers"), 2000);
 }
 
-TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
+TEST_F(SegmentCommands, SegmentWarnsOfACloudWithAHole) {
   const Shape whole = test::random_points(test::box({2, 2, 0.4}, 1), 6000, 1);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < whole.vertices.rows(); ++i) {
@@ -100,7 +106,7 @@ TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
   }
 }
 
-TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
+TEST_F(SegmentCommands, SegmentPassesItsOptionsToTheAlgorithm) {
   succeeded(run("segment @psb/off/1.off --patches 40 --min-probability 0.99 --border-width 0 -o @x.seg"));
   PartSegmentationOptions options{.patches = 40, .min_probability = 0.99};
   options.smoothing.width = 0;
@@ -108,7 +114,7 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
   EXPECT_EQ(read_seg(at("x.seg"), shape), part_segmentation(shape, options));
 }
 
-TEST_F(SegmentCommands, SegmentDrawsAndColours) {
+TEST_F(SegmentCommands, SegmentWritesAnUprightPictureAndAPlyWithParts) {
   EXPECT_EQ(run("segment @psb/off/1.off -o @x.png").status, 0);
   const std::string upright = text_of(at("x.png"));
   EXPECT_THAT(upright, StartsWith("\x89PNG"));
@@ -119,7 +125,7 @@ TEST_F(SegmentCommands, SegmentDrawsAndColours) {
   EXPECT_EQ(read_shape(at("x.ply")).triangles.rows(), 640);
 }
 
-TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
+TEST_F(SegmentCommands, SegmentWritesSeveralShapesIntoAFolder) {
   write_text(at("bad.off"), "OFF\n1 0 0\n");
   const Outcome outcome = run("segment @psb/off/1.off @bad.off @psb/off/21.off -o @out");
   EXPECT_EQ(outcome.status, 1);
@@ -128,7 +134,7 @@ TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
   EXPECT_EQ(text_of(at("out/21.seg")), segments(0, 1));
 }
 
-TEST_F(SegmentCommands, UnusableCallsOfSegment) {
+TEST_F(SegmentCommands, SegmentRejectsOptionsOutOfRangeOrOfAnotherMethod) {
   const std::string shape = quoted("psb/off/1.off");
   expect_error_lines(
       {{"segment " + shape + " -o x.obj", ".obj"},
@@ -143,7 +149,7 @@ TEST_F(SegmentCommands, UnusableCallsOfSegment) {
        {"segment " + quoted("absent.off") + " -o x.seg", "absent.off"}});
 }
 
-TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
+TEST_F(SegmentCommands, EvaluateSegmentationScoresMethodsAndHumanSegmentations) {
   write_text(at("good/1.seg"), segments(7, 8));
   write_text(at("good/21.seg"), segments(5, 5));
   for (const char* name : {"none/1.seg", "none/21.seg"}) write_text(at(name), segments(0, 0));
@@ -160,20 +166,20 @@ TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
   EXPECT_EQ(json["methods"][2]["name"], "people");
 }
 
-TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
+TEST_F(SegmentCommands, EvaluateSegmentationWritesOneRowPerMesh) {
   write_text(at("good/1.seg"), segments(7, 8));
   write_text(at("good/21.seg"), segments(5, 5));
   succeeded(run("evaluate-segmentation @good --benchmark @psb --per-mesh @x.csv"));
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
 }
 
-TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {
+TEST_F(SegmentCommands, EvaluateSegmentationWarnsOfMeshesWithoutHumanSegmentations) {
   write_off(at("psb/off/2.off"), two_balls());
   const Outcome outcome = succeeded(run("evaluate-segmentation --benchmark @psb"));
   EXPECT_THAT(outcome.errors, HasSubstr("1 meshes without human segmentations (2"));
 }
 
-TEST_F(SegmentCommands, UnusableCallsOfEvaluateSegmentation) {
+TEST_F(SegmentCommands, EvaluateSegmentationRejectsMissingOrTooShortSegmentations) {
   write_text(at("short/1.seg"), "1\n2\n");
   expect_error_lines({{"evaluate-segmentation --benchmark " + quoted("good"), "off"},
                       {"evaluate-segmentation " + quoted("short") + " --benchmark " + quoted("psb"), "2 lines"},

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// A sphere, a box, and a file without a shape.
-class ShapeFiles : public CommandTest {
+class ShapeFileCommands : public CommandTest {
  protected:
   void SetUp() override {
     write_off(at("sphere.off"), test::sphere(10, 2));
@@ -30,7 +30,7 @@ class ShapeFiles : public CommandTest {
   }
 };
 
-TEST_F(ShapeFiles, SeveralFilesGiveTheResultsOfSingleOnes) {
+TEST_F(ShapeFileCommands, WriteTheSameResultForOneAndSeveralFiles) {
   for (const std::string command : {"sdf --method cone_sdf", "normals", "convert", "perturb --noise 0.01"}) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
@@ -42,13 +42,13 @@ TEST_F(ShapeFiles, SeveralFilesGiveTheResultsOfSingleOnes) {
   }
 }
 
-TEST_F(ShapeFiles, CreatesTheFolderForSeveralOutputs) {
+TEST_F(ShapeFileCommands, CreateAFolderForSeveralOutputs) {
   ASSERT_EQ(run("convert @sphere.off @box.off -o @pair --output-format ply").status, 0);
   EXPECT_EQ(read_shape(at("pair/sphere.ply")).vertices.rows(), test::sphere(10, 2).vertices.rows());
   EXPECT_EQ(read_shape(at("pair/box.ply")).vertices.rows(), test::box({1, 2, 3}, 1).vertices.rows());
 }
 
-TEST_F(ShapeFiles, ContinuesAfterAFailedFile) {
+TEST_F(ShapeFileCommands, ContinueAfterAFailedFile) {
   const Outcome outcome = run("convert @sphere.off @broken.off @absent.off @box.off -o @out --output-format ply");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
@@ -59,7 +59,7 @@ TEST_F(ShapeFiles, ContinuesAfterAFailedFile) {
   EXPECT_FALSE(fs::exists(at("out/broken.ply")));
 }
 
-TEST_F(ShapeFiles, RemarksNameTheShape) {
+TEST_F(ShapeFileCommands, PrefixWarningsWithTheShape) {
   write_text(at("sheet.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = succeeded(run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/"));
   EXPECT_THAT(outcome.errors, testing::StartsWith(fmt::format("shapegauge: warning: {}: 1 of 1 samples missing",
@@ -67,7 +67,7 @@ TEST_F(ShapeFiles, RemarksNameTheShape) {
   EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << "the sphere has no remarks";
 }
 
-TEST_F(ShapeFiles, DoesNotOverwriteInputsOrOtherOutputs) {
+TEST_F(ShapeFileCommands, DoNotOverwriteInputsOrWriteTwoOutputsToOneFile) {
   fs::create_directory(at("other"));
   fs::copy_file(at("box.off"), at("other/box.off"));
   expect_error_line(run("convert @box.off @other/box.off -o @out/"), "would both be written to");
@@ -82,7 +82,7 @@ TEST_F(ShapeFiles, DoesNotOverwriteInputsOrOtherOutputs) {
   EXPECT_NE(text_of(at("box.off")), before);
 }
 
-TEST_F(ShapeFiles, AcceptsStandardInputAndOutput) {
+TEST_F(ShapeFileCommands, AcceptStandardInputAndOutput) {
   ASSERT_EQ(run("sdf @box.off --method cone_sdf -o @box.csv").status, 0);
   EXPECT_EQ(run("sdf - --method cone_sdf -o - < @box.off").output, text_of(at("box.csv")));
   ASSERT_EQ(run("convert @box.off -o @box.ply").status, 0);
@@ -96,7 +96,7 @@ TEST_F(ShapeFiles, AcceptsStandardInputAndOutput) {
   expect_error_line(run("info - -"), "once only");
 }
 
-TEST_F(ShapeFiles, InfoPrintsPositionVolumeGenusAndWinding) {
+TEST_F(ShapeFileCommands, PrintPositionVolumeGenusAndWinding) {
   const auto info = [&](const std::string& name, const Shape& shape) {
     write_off(at(name), shape);
     return nlohmann::json::parse(run("info --format json @" + name).output);
@@ -138,14 +138,14 @@ TEST_F(ShapeFiles, InfoPrintsPositionVolumeGenusAndWinding) {
   EXPECT_EQ(info("cloud.off", cloud)["winding"], "none");
 }
 
-TEST_F(ShapeFiles, InfoListsSeveralShapesInOrder) {
+TEST_F(ShapeFileCommands, ListInfoOfSeveralShapesInOrder) {
   const auto infos = nlohmann::json::parse(run("info --format json @sphere.off @box.off").output);
   ASSERT_EQ(infos.size(), 2U);
   EXPECT_EQ(infos[0]["file"], at("sphere.off").string());
   EXPECT_EQ(infos[1]["vertices"], 8);
 }
 
-TEST_F(ShapeFiles, PicturesHaveTheRequestedSizeAndView) {
+TEST_F(ShapeFileCommands, WritePicturesOfTheRequestedSizeAndView) {
   const auto picture = [&](const std::string& more) {
     succeeded(run("sdf @box.off --method cone_sdf --replace -o @x.png " + more));
     return text_of(at("x.png"));

@@ -28,7 +28,7 @@ class ViewCommand : public CommandTest {
     return run("view " + arguments + " --replace -o @page.html");
   }
   /// Data shown on the page.
-  [[nodiscard]] ordered_json page() const { return test::data_in(text_of(at("page.html"))); }
+  [[nodiscard]] ordered_json page() const { return test::json_of_page(text_of(at("page.html"))); }
   [[nodiscard]] std::vector<std::string> field_names() const {
     std::vector<std::string> names;
     const ordered_json shown = page();
@@ -39,7 +39,7 @@ class ViewCommand : public CommandTest {
   Shape capsule = test::capsule(1, 4, 16, 6);
 };
 
-TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
+TEST_F(ViewCommand, ColoursUseTheRequestedRangeThresholdAndUnit) {
   succeeded(view("@capsule.off --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm"));
   const ordered_json shown = page();
   EXPECT_EQ(shown["unit"], "cm");
@@ -60,7 +60,7 @@ TEST_F(ViewCommand, InitialViewIsUpright) {
     return (row[static_cast<std::size_t>(largest)] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
   };
   for (const auto& [name, axis] : {std::pair("capsule.off", "y"), {"up.OBJ", "y"}, {"up.ply", "z"}, {"up.stl", "z"}}) {
-    shape_writer(name)(at(name), capsule);
+    shape_writer(name)(at(name), capsule, {});
     EXPECT_EQ(up_shown(name, ""), axis) << name;
   }
   write_off(at("stated.off"), capsule, "# up: -z");
@@ -70,14 +70,14 @@ TEST_F(ViewCommand, InitialViewIsUpright) {
   }
 }
 
-TEST_F(ViewCommand, ThePageHasTheWarnings) {
+TEST_F(ViewCommand, PageContainsTheWarningsOfShapes) {
   write_off(at("hollow.off"), test::joined({test::sphere(2, 2), test::flipped(test::sphere(1, 2))}));
   succeeded(view("@hollow.off --field offset_sdf --no-parts"));
   ASSERT_EQ(page()["warnings"].size(), 1U);
   EXPECT_THAT(page()["warnings"][0].get<std::string>(), testing::AllOf(HasSubstr("hollow.off"), HasSubstr("hull")));
 }
 
-TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
+TEST_F(ViewCommand, ShowsOffsetAndConventionalSdfPartsAndNormalsByDefault) {
   const Outcome outcome = succeeded(view("@capsule.off --offset 0.02"));
   EXPECT_EQ(outcome.output, "");
   EXPECT_THAT(field_names(), ElementsAre("SDF of the offset surface", "Conventional SDF"));
@@ -117,7 +117,7 @@ TEST_F(ViewCommand, MeasuresLargeMeshesInFullAndShowsThemSimplified) {
   EXPECT_LT(cone_sdf(coarse, sample_shape(coarse, SampleSite::faces), {}).values.minCoeff(), values.minCoeff());
 }
 
-TEST_F(ViewCommand, NamesUnusableShapesAndShowsTheOthers) {
+TEST_F(ViewCommand, NamesUnusableShapesAndShowsOtherShapes) {
   write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
   const Outcome outcome = view("@broken.off @capsule.off @cloud.xyz --title Three --offset 0.4");
@@ -129,13 +129,13 @@ TEST_F(ViewCommand, NamesUnusableShapesAndShowsTheOthers) {
   EXPECT_EQ(page()["shapes"][1]["fields"].size(), 1U) << "a cloud has no conventional SDF";
 }
 
-TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
+TEST_F(ViewCommand, StandardOutputEqualsThePageFile) {
   const std::string call = "@capsule.off @capsule.off --offset 0.05";
   ASSERT_EQ(view(call).status, 0);
   EXPECT_TRUE(run("view " + call + " -o -").output == text_of(at("page.html")));
 }
 
-TEST_F(ViewCommand, NamesThePageOfASingleShapeAfterIt) {
+TEST_F(ViewCommand, NamesThePageAfterTheShapeByDefault) {
   const WorkingFolder here(at(""));
   ASSERT_EQ(view("capsule.off").status, 0);
   const Outcome outcome = succeeded(run("view capsule.off"));
@@ -143,7 +143,7 @@ TEST_F(ViewCommand, NamesThePageOfASingleShapeAfterIt) {
   EXPECT_EQ(text_of(at("capsule.html")), text_of(at("page.html")));
 }
 
-TEST_F(ViewCommand, RejectsInvalidInputWithOneLine) {
+TEST_F(ViewCommand, RejectsMissingFilesUnknownFieldsAndContradictoryOptions) {
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   const std::string good = "view " + quoted("capsule.off") + " ";
   const std::string out = " -o " + quoted("x.html") + " ";
@@ -154,7 +154,7 @@ TEST_F(ViewCommand, RejectsInvalidInputWithOneLine) {
       {good + "--field cone" + out, "--field cone"},
       {good + "--field offset_sdf,ofset=0.1" + out, "offset"},
       {good + "--field offset_sdf,offset=0" + out, "offset"},
-      {good + "--field cone_sdf --field cone_sdf" + out, "given twice"},
+      {good + "--field cone_sdf --field cone_sdf" + out, "is repeated"},
       {good + "--field cone_sdf,at=vertices" + out, "at the faces of a mesh"},
       {good + "--field cone_sdf --offset 0.1" + out, "--offset requires"},
       {good + "--parts 3 --no-parts" + out, "--no-parts"},

@@ -75,7 +75,7 @@ TEST_P(FuzzCorpus, SeedsAreReadWithoutError) {
   for (const fs::path& file : seeds) EXPECT_TRUE(run(file)) << file;
 }
 
-TEST_P(FuzzCorpus, RegressionsGiveResultsOrInputErrors) {
+TEST_P(FuzzCorpus, RegressionInputsGiveResultsOrInputErrors) {
   for (const fs::path& file : files("regressions")) run(file);
 }
 

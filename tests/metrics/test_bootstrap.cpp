@@ -14,27 +14,27 @@ namespace {
 const Eigen::MatrixXd values = (Eigen::MatrixXd(4, 1) << 1, 10, 2, 3).finished();
 const std::vector<int> classes = {7, 4, 7, 7};
 
-TEST(UnitValues, HaveTheSameAverageForEveryUnit) {
+TEST(ResamplingUnits, AverageIsTheSameWhetherQueriesOrClassesAreResampled) {
   for (const ResamplingUnit unit : {ResamplingUnit::classes, ResamplingUnit::queries}) {
-    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::micro))[0], 4);
-    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::macro))[0], 6);
+    EXPECT_DOUBLE_EQ(averages_of(unit_values_of(values, classes, unit, Average::micro))[0], 4);
+    EXPECT_DOUBLE_EQ(averages_of(unit_values_of(values, classes, unit, Average::macro))[0], 6);
   }
 }
 
-TEST(UnitValues, AreClassesOrQueries) {
-  const UnitValues of_classes = units_of(values, classes, ResamplingUnit::classes, Average::micro);
+TEST(ResamplingUnits, AreClassesOrQueries) {
+  const UnitValues of_classes = unit_values_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_EQ(of_classes.values, (Eigen::MatrixXd(2, 1) << 2, 10).finished());
   EXPECT_EQ(of_classes.weights, (Eigen::VectorXd(2) << 0.75, 0.25).finished());
-  EXPECT_EQ(units_of(values, classes, ResamplingUnit::queries, Average::macro).weights,
+  EXPECT_EQ(unit_values_of(values, classes, ResamplingUnit::queries, Average::macro).weights,
             (Eigen::VectorXd(4) << 1.0 / 6, 0.5, 1.0 / 6, 1.0 / 6).finished());
 }
 
-TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
-  const UnitValues units = units_of(values, classes, ResamplingUnit::classes, Average::micro);
+TEST(ResamplingUnits, MeanOfContributionsIsTheAverageScore) {
+  const UnitValues units = unit_values_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_DOUBLE_EQ(contributions(units.values.col(0), units.weights).mean(), 4);
 }
 
-TEST(UnitValues, ConvertToAndFromNames) {
+TEST(ResamplingUnits, ConvertToAndFromNames) {
   for (const std::string& name : list_of_words<ResamplingUnit>())
     EXPECT_EQ(name_of(value_of_word<ResamplingUnit>(name).value()), name);
   for (const std::string& name : list_of_words<Average>())
@@ -43,23 +43,23 @@ TEST(UnitValues, ConvertToAndFromNames) {
   EXPECT_FALSE(value_of_word<Average>("mean"));
 }
 
-TEST(UnitValues, RejectInputsOfDifferentSizes) {
-  EXPECT_THROW(units_of(values, std::vector<int>{1}, ResamplingUnit::classes, Average::micro), ArgumentError);
-  EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, ResamplingUnit::classes, Average::micro), ArgumentError);
+TEST(ResamplingUnits, RejectInputsOfDifferentSizes) {
+  EXPECT_THROW(unit_values_of(values, std::vector<int>{1}, ResamplingUnit::classes, Average::micro), ArgumentError);
+  EXPECT_THROW(unit_values_of(Eigen::MatrixXd(0, 1), {}, ResamplingUnit::classes, Average::micro), ArgumentError);
 }
 
 UnitValues example() {
   const SimulatedMethods methods = simulated_methods(30, 5, 3);
-  return units_of(methods.per_query, methods.classes, ResamplingUnit::classes, Average::micro);
+  return unit_values_of(methods.per_query, methods.classes, ResamplingUnit::classes, Average::micro);
 }
 
-TEST(Bootstrap, DoesNotDependOnTheNumbersOfTheClasses) {
+TEST(Bootstrap, DoesNotDependOnTheNumberingOfClasses) {
   const SimulatedMethods methods = simulated_methods(30, 5, 3);
   std::vector<int> renumbered;
   for (const int label : methods.classes) renumbered.push_back((7 * label + 11) % 30);
   for (const Average average : {Average::micro, Average::macro}) {
-    const UnitValues units = units_of(methods.per_query, methods.classes, ResamplingUnit::classes, average);
-    const UnitValues others = units_of(methods.per_query, renumbered, ResamplingUnit::classes, average);
+    const UnitValues units = unit_values_of(methods.per_query, methods.classes, ResamplingUnit::classes, average);
+    const UnitValues others = unit_values_of(methods.per_query, renumbered, ResamplingUnit::classes, average);
     EXPECT_EQ(bootstrap_averages(units, {.resamples = 100}), bootstrap_averages(others, {.resamples = 100}));
   }
 }
@@ -92,7 +92,7 @@ TEST(Bootstrap, DependsOnTheSeed) {
             bootstrap_averages(example(), {.resamples = 500, .seed = 10}));
 }
 
-TEST(Bootstrap, ResamplesHaveTheStandardError) {
+TEST(Bootstrap, ResamplesHaveTheStandardErrorOfTheMean) {
   const UnitValues units = example();
   const Eigen::MatrixXd averages = bootstrap_averages(units, {.resamples = 20000});
   const auto spread = [](const Eigen::VectorXd& v) { return std::sqrt((v.array() - v.mean()).square().mean()); };
@@ -101,21 +101,21 @@ TEST(Bootstrap, ResamplesHaveTheStandardError) {
   EXPECT_NEAR(spread(averages.col(0)) / standard_error, 1, 0.03);  // four standard deviations of the ratio
 }
 
-TEST(Bootstrap, EqualUnitsGiveAnIntervalWithoutWidth) {
+TEST(Bootstrap, IntervalOfEqualUnitsHasWidthZero) {
   const UnitValues units{Eigen::MatrixXd::Constant(7, 1, 0.5), Eigen::VectorXd::Constant(7, 1.0 / 7)};
   const ConfidenceInterval interval = bootstrap_intervals(units).front();
   EXPECT_DOUBLE_EQ(interval.low, 0.5);
   EXPECT_DOUBLE_EQ(interval.high, 0.5);
 }
 
-TEST(Bootstrap, MoreConfidenceIsAWiderInterval) {
+TEST(Bootstrap, IntervalIsWiderForHigherConfidence) {
   const ConfidenceInterval narrow = bootstrap_intervals(example(), 0.8).front();
   const ConfidenceInterval wide = bootstrap_intervals(example(), 0.99).front();
   EXPECT_LT(wide.low, narrow.low);
   EXPECT_GT(wide.high, narrow.high);
 }
 
-TEST(Bootstrap, RejectsTooFewUnitsAndInvalidOptions) {
+TEST(Bootstrap, RejectsASingleUnitZeroResamplesAndConfidenceOutOfRange) {
   const UnitValues one{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)};
   EXPECT_THROW(bootstrap_intervals(one), ArgumentError);
   EXPECT_THROW(bootstrap_intervals(example(), 0), ArgumentError);
@@ -128,7 +128,7 @@ double coverage(ResamplingUnit unit, int data_sets) {
   int covered = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, static_cast<unsigned>(i));
-    const UnitValues units = units_of(methods.per_query, methods.classes, unit, Average::micro);
+    const UnitValues units = unit_values_of(methods.per_query, methods.classes, unit, Average::micro);
     const ConfidenceInterval interval = bootstrap_intervals(units, 0.95, {.resamples = 500}).front();
     if (interval.low <= 0.6 && 0.6 <= interval.high) ++covered;
   }
@@ -136,14 +136,14 @@ double coverage(ResamplingUnit unit, int data_sets) {
 }
 
 // 600 data sets: the count of a true 95 % has a standard deviation of 0.9 %.
-TEST(Bootstrap, IntervalsOverClassesHaveNominalCoverage) {
+TEST(Bootstrap, IntervalsFromResampledClassesHaveNominalCoverage) {
   EXPECT_NEAR(coverage(ResamplingUnit::classes, 600), 0.95, 3 * 0.0089);
 }
 
 // Reason for resampling classes by default: queries of a class are correlated. A class of 10 queries that share
 // half of the variance counts for 10 / (1 + 9 / 2) = 1.8 independent ones: intervals are 2.35 times too narrow, which
 // leaves 60 %.
-TEST(Bootstrap, IntervalsOverQueriesAreTooNarrow) {
+TEST(Bootstrap, IntervalsFromResampledQueriesAreTooNarrowIfQueriesOfAClassCorrelate) {
   EXPECT_NEAR(coverage(ResamplingUnit::queries, 300), 0.60, 3 * 0.028);
 }
 

@@ -27,11 +27,11 @@ std::vector<int> labels_of(Eigen::Index models) {
   return labels;
 }
 
-TEST(OrderByClass, ClassByClassInTheModelsOrder) {
+TEST(OrderByClass, SortsByClassAndKeepsTheOrderWithinClasses) {
   EXPECT_THAT(order_by_class(std::vector<int>{2, 0, 1, 0, 2}), ElementsAre(1, 3, 2, 0, 4));
 }
 
-TEST(DistanceOverview, CellsAreDistancesForFewModels) {
+TEST(DistanceOverview, ContainsSingleDistancesForFewModels) {
   DistanceMatrix distances{{9, 1, 2}, {3, 9, 4}, {5, std::numeric_limits<double>::infinity(), 9}};
   const DistanceOverview overview = overview_of(distances, std::vector<int>{1, 0, 0});
   EXPECT_EQ(overview.block, 1);
@@ -40,17 +40,17 @@ TEST(DistanceOverview, CellsAreDistancesForFewModels) {
   EXPECT_EQ(overview.nearest_distances, (DistanceMatrix{{1, 2}, {3, 4}, {5, distances(2, 1)}}));
 }
 
-TEST(DistanceOverview, CellsAreMeansForManyModels) {
-  const Eigen::Index models = 2 * largest_heat_map - 1;
+TEST(DistanceOverview, ContainsMeansOfBlocksForManyModels) {
+  const Eigen::Index models = 2 * max_heat_map_side - 1;
   DistanceMatrix distances = numbers(models);
   distances(4, 7) = std::numeric_limits<double>::infinity();
   const std::vector<int> labels = labels_of(models);
   const DistanceOverview overview = overview_of(distances, labels);
   ASSERT_EQ(overview.block, 2);
-  ASSERT_EQ(overview.cells.rows(), largest_heat_map);
+  ASSERT_EQ(overview.cells.rows(), max_heat_map_side);
   const std::vector<Eigen::Index> order = order_by_class(labels);
   for (const Eigen::Index row : {0, 1, 500, 999}) {
-    for (Eigen::Index column = 0; column < largest_heat_map; ++column) {
+    for (Eigen::Index column = 0; column < max_heat_map_side; ++column) {
       double sum = 0;
       int count = 0;
       for (Eigen::Index i = 2 * row; i < std::min(2 * row + 2, models); ++i) {
@@ -67,12 +67,12 @@ TEST(DistanceOverview, CellsAreMeansForManyModels) {
   }
 }
 
-TEST(DistanceOverview, TheOrderOfRowsDoesNotMatter) {
+TEST(DistanceOverview, DoesNotDependOnTheOrderOfRows) {
   for (const Eigen::Index models : {40, 1500}) {
     const DistanceMatrix distances = numbers(models);
     const std::vector<int> labels = labels_of(models);
     const DistanceOverview whole = overview_of(distances, labels);
-    PartialOverview seen =
+    OverviewAccumulator seen =
         begin_overview(labels, largest_finite({distances.data(), static_cast<std::size_t>(models)}, 0));
     for (const auto& [first, last] : {std::pair<Eigen::Index, Eigen::Index>{11, 30}, {30, models}, {0, 11}}) {
       accumulate(distances.middleRows(first, last - first), first, seen);

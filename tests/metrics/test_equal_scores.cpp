@@ -34,7 +34,7 @@ std::vector<int> classes_of_six() {
   return classes;
 }
 
-TEST(EqualScores, AreEqualUpToRounding) {
+TEST(EqualScores, IncludeScoresThatDifferByRounding) {
   EXPECT_TRUE(are_equal_scores(7.0 / 18, 7.0 / 18 - 5e-17));
   EXPECT_TRUE(are_equal_scores(0, 0));
   EXPECT_FALSE(are_equal_scores(0.5, 0.5 + 1e-11));
@@ -42,12 +42,12 @@ TEST(EqualScores, AreEqualUpToRounding) {
   EXPECT_EQ(score_differences(Eigen::Vector2d(0.3, 0.5), Eigen::Vector2d(0.1 + 0.2, 0.25)), Eigen::Vector2d(0, 0.25));
 }
 
-TEST(EqualScores, FormGroupsInTheirOwnOrder) {
+TEST(EqualScores, FormGroupsByDescendingScore) {
   const Eigen::VectorXd scores = (Eigen::VectorXd(5) << 0.3, 0.9, 0.1 + 0.2, 0.5, 0.3).finished();
   EXPECT_THAT(groups_of_equal_scores(scores), ElementsAre(ElementsAre(1U), ElementsAre(3U), ElementsAre(0U, 2U, 4U)));
 }
 
-TEST(EqualScores, ShareARank) {
+TEST(EqualScores, ShareARankInStandings) {
   for (const ResamplingUnit blocks : {ResamplingUnit::classes, ResamplingUnit::queries}) {
     const auto standings =
         standings_of(equally_good_methods(200), classes_of_six(), {.blocks = blocks, .resampling = {.resamples = 10}});
@@ -56,7 +56,7 @@ TEST(EqualScores, ShareARank) {
 }
 
 // Sums of the same three numbers in another order; on each data set the methods are equal.
-TEST(EqualScores, TieInFriedmansTestAndInCountsOfWins) {
+TEST(EqualScores, AreTiedInTheFriedmanTestAndWinCounts) {
   Eigen::MatrixXd scores(4, 3);
   for (Eigen::Index set = 0; set < 4; ++set) {
     scores.row(set) << (0.1 + 0.2) + 0.3, 0.1 + (0.2 + 0.3), set == 0 ? 0.7 : 0.1;
@@ -70,7 +70,7 @@ TEST(EqualScores, TieInFriedmansTestAndInCountsOfWins) {
   EXPECT_NEAR(comparison.friedman.chi_squared, 4 * 0.375 / (1 - 24.0 / 96), 1e-12);
 }
 
-TEST(EqualScores, AreTiedInComparisons) {
+TEST(EqualScores, AreTiedInMethodComparisons) {
   Eigen::MatrixXd scores(query_count, 2);
   for (Eigen::Index query = 0; query < query_count; ++query) scores.row(query) << (0.1 + 0.2) + 0.3, 0.1 + (0.2 + 0.3);
   for (const PairTest test : {PairTest::randomisation, PairTest::t, PairTest::bootstrap}) {

@@ -59,7 +59,7 @@ int class_size(const std::vector<int>& labels, int label) {
   return static_cast<int>(std::ranges::count(labels, label));
 }
 
-TEST(Evaluation, UsesTheGradesOfTheRow) {
+TEST(Evaluation, UsesTheGradesOfEachQuery) {
   // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
   // last.
   constexpr Eigen::Index queries = 301;  // more than one block
@@ -84,7 +84,7 @@ TEST(Evaluation, UsesTheGradesOfTheRow) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
+RC_GTEST_PROP(Evaluation, ScoresOfEachQueryMatchTheLiteralFormulas, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   for (std::size_t i = 0; i < result.queries.size(); ++i) {
@@ -97,7 +97,7 @@ RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, RowByRowMatchesTheWholeMatrix, ()) {
+RC_GTEST_PROP(Evaluation, ByRowsMatchesTheWholeMatrix, ()) {
   const EvaluationCase random = *cases_with_ties(600);
   const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
   const Evaluation whole = evaluate(random.distances, random.labels, options);
@@ -112,7 +112,7 @@ RC_GTEST_PROP(Evaluation, RowByRowMatchesTheWholeMatrix, ()) {
   RC_ASSERT(streamed.queries_with_ties == whole.queries_with_ties);
 }
 
-RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
+RC_GTEST_PROP(Evaluation, UsesOnlyModelsOfLargeEnoughClassesAsQueries, ()) {
   const EvaluationCase data = *cases_with_ties();
   const int minimum = *rc::gen::inRange(2, 6);
   std::vector<Eigen::Index> queries;
@@ -172,7 +172,7 @@ std::vector<double> naive_curve(const EvaluationCase& data, const Evaluation& re
   return curve;
 }
 
-RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
+RC_GTEST_PROP(Evaluation, CurvesMatchTheLiteralFormulas, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   for (const bool macro : {false, true}) {
@@ -186,7 +186,7 @@ RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
+RC_GTEST_PROP(Evaluation, ScoresLieBetweenZeroAndOne, ()) {
   const Evaluation result = scores_of(*cases_with_ties());
   // The negated comparison also fails for NaN.
   RC_ASSERT((result.per_query.array() >= 0 && result.per_query.array() <= 1).all());
@@ -196,7 +196,7 @@ RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, DependsOnTheOrderOfDistancesOnly, ()) {
+RC_GTEST_PROP(Evaluation, DependsOnlyOnTheOrderOfDistances, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase transformed = data;
   // Distances are 0, 0.25, ... 7.25 and infinity; cubes of those are exact, so ties stay and nothing else becomes one.
@@ -211,7 +211,7 @@ RC_GTEST_PROP(Evaluation, IgnoresTheDiagonal, ()) {
   RC_ASSERT(same_results(scores_of(data), scores_of(changed)));
 }
 
-RC_GTEST_PROP(Evaluation, PermutedModelsGivePermutedResults, ()) {
+RC_GTEST_PROP(Evaluation, PermutesScoresWithTheModels, ()) {
   const EvaluationCase data = *cases_without_ties();
   std::vector<std::size_t> order(data.labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -238,7 +238,7 @@ RC_GTEST_PROP(Evaluation, PermutedModelsGivePermutedResults, ()) {
   }
 }
 
-TEST(Evaluation, SameBytesForAnyNumberOfThreads) {
+TEST(Evaluation, IsTheSameOnAnyNumberOfThreads) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0, 1);
   const naive::Matrix distances = naive::Matrix::NullaryExpr(200, 200, [&] { return uniform(random); });
@@ -253,14 +253,14 @@ TEST(Evaluation, SameBytesForAnyNumberOfThreads) {
   EXPECT_TRUE(same_results(one, with_threads(5)));
 }
 
-TEST(Evaluation, NamesProtocolAndMeasures) {
+TEST(Evaluation, ContainsTheNamesOfProtocolAndMeasures) {
   const Evaluation result = evaluate(naive::Matrix::Zero(2, 2), std::vector<int>{4, 4}, under(Protocol::paper));
   EXPECT_EQ(result.protocol, Protocol::paper);
   EXPECT_EQ(result.curve, CurveKind::paper);
   EXPECT_THAT(result.measures, testing::ElementsAre("NN", "FT", "ST", "E", "DCG", "mAP"));
 }
 
-TEST(Evaluation, NanNamesItsRowAndColumn) {
+TEST(Evaluation, ReportsTheRowAndColumnOfNan) {
   naive::Matrix distances = naive::Matrix::Ones(4, 4);
   distances(2, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(error_of(distances, {0, 0, 1, 1}, {}), HasSubstr("row 2, column 1"));
@@ -275,7 +275,7 @@ TEST(Evaluation, RejectsInputsOfDifferentSizes) {
               HasSubstr("minimum_class_size is 0"));
 }
 
-TEST(Evaluation, MinimumOfOneCountsJudgedQueriesWithoutRelevantModels) {
+TEST(Evaluation, CountsJudgedQueriesWithoutRelevantModelsForMinimumClassSizeOne) {
   RetrievalTask task;
   task.query_classes = {0, 1};
   task.target_classes = {0, 0};
@@ -290,14 +290,14 @@ TEST(Evaluation, MinimumOfOneCountsJudgedQueriesWithoutRelevantModels) {
   EXPECT_EQ(evaluate(naive::Matrix::Ones(3, 3), std::vector<int>{0, 0, 1}, under(Protocol::psb, 1)).queries.size(), 2U);
 }
 
-TEST(Evaluation, AQueryMayFindItselfWhereItsListHasIt) {
+TEST(Evaluation, CountsTheQueryItselfAsAHitOnRequest) {
   const DistanceMatrix distances{{4, 0, 2}, {0, 0, 5}, {3, 1, 0}};
   EvaluationOptions options{.measures = measures_of(std::vector<std::string>{"NN", "R-prec"}), .finds_itself = true};
   const Evaluation found = evaluate(distances, std::vector<int>{0, 0, 1}, options);
   EXPECT_EQ(found.per_query, (Eigen::MatrixXd{{1, 0.5}, {1, 1}, {1, 1}})) << "a class of one finds its only model";
 }
 
-TEST(Evaluation, JudgementsWithoutARelevantModelAreRefusedAsSuch) {
+TEST(Evaluation, RejectsJudgementsWithoutRelevantModels) {
   RetrievalTask task;
   task.query_classes = {0, 1};
   task.target_classes = {0, 0};
@@ -315,7 +315,7 @@ TEST(Evaluation, JudgementsWithoutARelevantModelAreRefusedAsSuch) {
   EXPECT_EQ(error(4), "no query has 3 relevant models or more");
 }
 
-TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {
+TEST(Evaluation, GradedGainUnderThePaperProtocolCountsTheQueryAtRankOne) {
   // Four targets at distances 1 to 4; the first has grade 1, the third grade 3. The query, as relevant as anything,
   // gains 3 at rank 1; the others follow at ranks 2 and 4.
   RetrievalTask task;
@@ -335,7 +335,7 @@ TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {
               (1 / std::log2(2) + 3 / std::log2(4)) / (3 / std::log2(2) + 1 / std::log2(3)), 1e-15);
 }
 
-TEST(Evaluation, TheMacroCurveIsTheMeanOfTheClassesCurves) {
+TEST(Evaluation, MacroCurveIsTheMeanOfTheCurvesOfClasses) {
   // Class 0: a query that is no target (20 relevant models, the first at rank 1), and one that is (19, the first at
   // rank 2). At recall 0.05 the second has no precision yet. Class 1: a query whose first hit is at rank 4.
   RetrievalTask task;
@@ -360,7 +360,7 @@ TEST(Evaluation, TheMacroCurveIsTheMeanOfTheClassesCurves) {
   }
 }
 
-TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
+TEST(Evaluation, BprefByRowsMatchesTheWholeMatrix) {
   // More queries than one block, each with its own relevant, irrelevant and unjudged models.
   constexpr Eigen::Index queries = 300;
   RandomNumbers random(5);

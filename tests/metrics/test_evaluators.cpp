@@ -18,7 +18,7 @@ double score(std::string_view evaluator, std::string_view measure, const RankedL
   return 0;
 }
 
-TEST(Evaluators, TiersOfShrec21CountOneHitTooMany) {
+TEST(EvaluationPrograms, TiersOfShrec21CountOneHitTooMany) {
   const RankedList perfect = list_of_hits({true, true, false, false});
   EXPECT_DOUBLE_EQ(score("shrec21", "shrec21.FT", perfect), 3.0 / 2);
   EXPECT_DOUBLE_EQ(score("shrec21", "shrec21.ST", perfect), 1) << "all are before rank 4";
@@ -30,7 +30,7 @@ TEST(Evaluators, TiersOfShrec21CountOneHitTooMany) {
   EXPECT_DOUBLE_EQ(score("shrec21", "shrec21.ST", later), (1.0 + 1) / 4);
 }
 
-TEST(Evaluators, Shapenet16DividesByWhatWasFound) {
+TEST(EvaluationPrograms, Shapenet16DividesByTheNumberOfHitsFound) {
   // Two of five relevant models, at ranks 1 and 3.
   const RankedList list =
       list_of_runs({{.size = 1, .hits = 1}, {.size = 1, .hits = 0}, {.size = 1, .hits = 1}}, false, 3);
@@ -39,7 +39,7 @@ TEST(Evaluators, Shapenet16DividesByWhatWasFound) {
   EXPECT_DOUBLE_EQ(score("shapenet16", "P@N", list), 2.0 / 3);
 }
 
-TEST(Evaluators, PytorchMetricLearningCountsHitsAmongTheFirstR) {
+TEST(EvaluationPrograms, PytorchMetricLearningCountsHitsAmongTheFirstR) {
   const RankedList list = list_of_hits({false, true, true});
   EXPECT_DOUBLE_EQ(score("pytorch_metric_learning", "pytorch_metric_learning.MAP@R", list), (1.0 / 2) / 2);
   EXPECT_DOUBLE_EQ(score("pytorch_metric_learning", "mAP", list), (1.0 / 2 + 2.0 / 3) / 2);
@@ -47,7 +47,7 @@ TEST(Evaluators, PytorchMetricLearningCountsHitsAmongTheFirstR) {
 }
 
 // 0.8 * 3 is nearer to two hits than to three.
-TEST(Evaluators, TrecEvalRoundsLevelsOfRecall) {
+TEST(EvaluationPrograms, TrecEvalRoundsRecallLevels) {
   std::vector<bool> hits(10, false);
   hits[0] = hits[1] = hits[9] = true;
   const RankedList list = list_of_hits(hits);
@@ -56,7 +56,7 @@ TEST(Evaluators, TrecEvalRoundsLevelsOfRecall) {
   EXPECT_DOUBLE_EQ(precision_at_levels(list, CurveKind::trec_eval, 3)[9], 0.3);
 }
 
-TEST(Evaluators, HaveTheirOwnProtocols) {
+TEST(EvaluationPrograms, HaveOneProtocolEach) {
   EXPECT_EQ(options_of_evaluator("psb_table").minimum_class_size, 3);
   EXPECT_TRUE(options_of_evaluator("shapenet16").finds_itself);
   EXPECT_EQ(options_of_evaluator("trec_eval").protocol, Protocol::trec);

@@ -36,7 +36,7 @@ Eigen::MatrixXd areas_of_demsar() {
       .finished();
 }
 
-TEST(RankComparison, HasTheRanksAndTheCriticalDifferenceOfThePaper) {
+TEST(RankComparison, MatchesRanksAndCriticalDifferenceOfDemsar) {
   const RankComparison comparison = compare_by_ranks(areas_of_demsar());
   EXPECT_NEAR(comparison.mean_ranks[0], 3.143, 5e-4);
   EXPECT_NEAR(comparison.mean_ranks[1], 2.000, 5e-4);
@@ -52,7 +52,7 @@ TEST(RankComparison, HasTheRanksAndTheCriticalDifferenceOfThePaper) {
               ElementsAre(HomogeneousGroup{0, 2}, HomogeneousGroup{2, 3}));
 }
 
-TEST(RankComparison, HasTheStatisticOfThePaperButForTies) {
+TEST(RankComparison, MatchesTheStatisticOfDemsarWithoutTieCorrection) {
   const FriedmanTest test = compare_by_ranks(areas_of_demsar()).friedman;
   EXPECT_NEAR(test.chi_squared * test.tie_correction, 9.28, 5e-3);
   // 4^3 - 4 of "mushroom" and 2^3 - 2 of three pairs, over 14 (4^3 - 4).
@@ -61,7 +61,7 @@ TEST(RankComparison, HasTheStatisticOfThePaperButForTies) {
   EXPECT_NEAR(13 * uncorrected / (14 * 3 - uncorrected), 3.69, 5e-3);
 }
 
-TEST(RankComparison, HasThePValuesOfAnIndependentComputation) {
+TEST(RankComparison, PValuesMatchNumericalIntegration) {
   // Reference values: densities integrated numerically with NumPy.
   const RankComparison comparison = compare_by_ranks(areas_of_demsar());
   EXPECT_NEAR(comparison.friedman.p, 0.01672158033132444, 1e-9);
@@ -88,7 +88,7 @@ Eigen::MatrixXd five_sets() {
       .finished();
 }
 
-TEST(RankComparison, HasTheTiedStatisticOfScipy) {
+TEST(RankComparison, TieCorrectedStatisticMatchesScipy) {
   // scipy.stats.friedmanchisquare and studentized_range of SciPy 1.10.
   const RankComparison comparison = compare_by_ranks(five_sets());
   EXPECT_NEAR(comparison.friedman.chi_squared, 9.446808510638293, 1e-12);
@@ -96,21 +96,21 @@ TEST(RankComparison, HasTheTiedStatisticOfScipy) {
   EXPECT_NEAR(comparison.critical_difference, 2.0976056585788982, 1e-6);
 }
 
-TEST(RankIntervals, MatchAllResamples) {
+TEST(RankIntervals, MatchTheEnumerationOfAllResamples) {
   // In all 5^5 resamples the methods are at 1 to 2, 1 to 3, 2 to 4, and 2 (0.03 %) to 4. Of five data sets, 0.095 % are
   // cut off on each side (Student's t).
   const std::vector<RankInterval> intervals = rank_intervals(compare_by_ranks(five_sets()).ranks);
   EXPECT_THAT(intervals, ElementsAre(RankInterval{1, 2}, RankInterval{1, 3}, RankInterval{2, 4}, RankInterval{3, 4}));
 }
 
-TEST(RankIntervals, ConstantRanksHaveIntervalsOfWidthZero) {
+TEST(RankIntervals, HaveWidthZeroForConstantRanks) {
   const Eigen::MatrixXd ranks = Eigen::RowVector3d(3, 1, 2).replicate(8, 1);
   EXPECT_THAT(rank_intervals(ranks), ElementsAre(RankInterval{3, 3}, RankInterval{1, 1}, RankInterval{2, 2}));
   EXPECT_EQ(rank_intervals(Eigen::MatrixXd::Constant(8, 2, 1.5))[1], (RankInterval{1, 1})) << "ties share the better";
   EXPECT_THROW(rank_intervals(ranks.topRows(1)), ArgumentError);
 }
 
-TEST(RankIntervals, AreRoundedOutwardsAtBothEnds) {
+TEST(RankIntervals, AreRoundedOutwards) {
   const auto value = [](Eigen::Index i, Eigen::Index j) { return std::sin(static_cast<double>(7 * i + 3 * j * j)); };
   const Eigen::MatrixXd ranks = Eigen::MatrixXd::NullaryExpr(6, 4, value);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -121,7 +121,7 @@ TEST(RankIntervals, AreRoundedOutwardsAtBothEnds) {
   }
 }
 
-TEST(RankComparison, ListsNoPairsOfManyMethods) {
+TEST(RankComparison, OmitsPairsForMoreThanFiftyMethods) {
   const Eigen::MatrixXd values = Eigen::RowVectorXd::LinSpaced(51, 0, 1).replicate(3, 1);
   EXPECT_EQ(compare_by_ranks(values.leftCols(50)).pairs.size(), 1225U);
   EXPECT_TRUE(compare_by_ranks(values).pairs.empty());
@@ -132,7 +132,7 @@ TEST(RankComparison, EqualValuesShareTheMeanOfTheirRanks) {
   EXPECT_EQ(comparison.ranks, (Eigen::MatrixXd(1, 4) << 2.5, 1, 2.5, 4).finished());
 }
 
-TEST(RankComparison, EqualRankingsHaveTheSmallestPValue) {
+TEST(RankComparison, IdenticalRankingsHaveTheSmallestPValue) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
@@ -143,7 +143,7 @@ TEST(RankComparison, EqualRankingsHaveTheSmallestPValue) {
   EXPECT_NEAR(compare_by_ranks(values).friedman.f_p, std::pow(3, -5), 1e-12) << "3 orders of two ties and one";
 }
 
-TEST(RankComparison, EqualMethodsDoNotDiffer) {
+TEST(RankComparison, EqualMethodsHavePValueOne) {
   const RankComparison comparison = compare_by_ranks(Eigen::MatrixXd::Constant(5, 3, 0.4));
   EXPECT_EQ(comparison.friedman.p, 1);
   EXPECT_EQ(comparison.friedman.f_p, 1);
@@ -151,7 +151,7 @@ TEST(RankComparison, EqualMethodsDoNotDiffer) {
   EXPECT_EQ(comparison.mean_ranks, Eigen::Vector3d::Constant(2));
 }
 
-TEST(RankComparison, TestsNothingOnOneDataSetOrOfOneMethod) {
+TEST(RankComparison, FindsNoDifferenceForOneDataSetOrOneMethod) {
   const RankComparison one_set = compare_by_ranks((Eigen::MatrixXd(1, 2) << 1, 0).finished());
   EXPECT_EQ(one_set.critical_difference, std::numeric_limits<double>::infinity());
   EXPECT_EQ(one_set.pairs[0].p, 1);
@@ -167,7 +167,7 @@ TEST(RankComparison, RejectsNonFiniteValues) {
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Ones(2, 2), 1), ArgumentError);
 }
 
-RC_GTEST_PROP(RankComparison, GroupsFollowThePValues, ()) {
+RC_GTEST_PROP(RankComparison, GroupsMatchThePValuesOfPairs, ()) {
   const auto sets = *rc::gen::inRange<Eigen::Index>(2, 12);
   const auto methods = *rc::gen::inRange<Eigen::Index>(2, 8);
   Eigen::MatrixXd values(sets, methods);

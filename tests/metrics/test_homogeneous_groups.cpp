@@ -18,7 +18,7 @@ std::vector<HomogeneousGroup> groups_of(const std::vector<double>& ranking, doub
                             [&](std::size_t i, std::size_t j) { return std::abs(ranking[i] - ranking[j]) > critical; });
 }
 
-TEST(HomogeneousGroups, AreTheLargestRunsWithoutADifference) {
+TEST(HomogeneousGroups, AreTheLargestRunsWithoutASignificantDifference) {
   // 9 and 8 do not differ by more than 1.5, 9 and 7 do, 8 and 7 do not; 3 stands alone.
   EXPECT_THAT(groups_of({9, 8, 7, 3}, 1.5),
               ElementsAre(HomogeneousGroup{0, 1}, HomogeneousGroup{1, 2}, HomogeneousGroup{3, 3}));
@@ -27,7 +27,7 @@ TEST(HomogeneousGroups, AreTheLargestRunsWithoutADifference) {
   EXPECT_TRUE(groups_of({}, 1).empty());
 }
 
-RC_GTEST_PROP(HomogeneousGroups, ContainExactlyThePairsThatDoNotDiffer, ()) {
+RC_GTEST_PROP(HomogeneousGroups, ContainExactlyThePairsWithoutASignificantDifference, ()) {
   auto ranking = *rc::gen::container<std::vector<double>>(
       rc::gen::map(rc::gen::inRange(0, 30), [](int value) { return static_cast<double>(value); }));
   std::ranges::sort(ranking, std::greater<>());
@@ -42,7 +42,7 @@ RC_GTEST_PROP(HomogeneousGroups, ContainExactlyThePairsThatDoNotDiffer, ()) {
   }
 }
 
-TEST(CompactLetters, AreSharedByGroupsThatDoNotDiffer) {
+TEST(CompactLetters, AreSharedByMethodsWithoutASignificantDifference) {
   EXPECT_THAT(compact_letters(4, groups_of({9, 8, 7, 3}, 1.5)), ElementsAre("a", "ab", "b", "c"));
 }
 
@@ -54,7 +54,7 @@ TEST(CompactLetters, AbbreviateMoreThanThreeGroupsAsARange) {
   EXPECT_EQ(compact_letters(8, groups_of(longer, 3.5))[3], "a-d");
 }
 
-TEST(CompactLetters, ContinueAfterZ) {
+TEST(CompactLetters, ContinueAfterTheLetterZ) {
   std::vector<double> ranking;
   for (int i = 0; i < 60; ++i) ranking.push_back(-i);
   const auto letters = compact_letters(60, groups_of(ranking, 0.5));

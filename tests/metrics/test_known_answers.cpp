@@ -37,7 +37,7 @@ void expect_measures(const Eigen::VectorXd& actual, const std::array<double, 5>&
   }
 }
 
-TEST(KnownAnswers, PerfectUnderPsb) {
+TEST(PerfectRetrieval, HasTheKnownScoresUnderThePsbProtocol) {
   const PerfectData data;
   const Evaluation result = evaluate(data.distances, data.labels, by_protocol(Protocol::psb));
   expect_measures(result.micro, {1, 1, 1, 38.0 / 51.0, 1}, 1e-14);
@@ -48,7 +48,7 @@ TEST(KnownAnswers, PerfectUnderPsb) {
   for (const double precision : result.micro_curve.precision) EXPECT_EQ(precision, 1);
 }
 
-TEST(KnownAnswers, PerfectUnderPaper) {
+TEST(PerfectRetrieval, HasTheKnownScoresUnderThePaperProtocol) {
   const PerfectData data;
   const Evaluation result = evaluate(data.distances, data.labels, by_protocol(Protocol::paper));
   expect_measures(result.micro, {1, 1, 1, 40.0 / 52.0, 1}, 1e-14);
@@ -57,7 +57,7 @@ TEST(KnownAnswers, PerfectUnderPaper) {
   for (const double precision : result.micro_curve.precision) EXPECT_EQ(precision, 1);
 }
 
-TEST(KnownAnswers, SevenModelsInTwoClasses) {
+TEST(Evaluation, MatchesScoresComputedByHandForSevenModels) {
   const std::vector<double> values = {0, 1, 4, 2, 3.5, 7, 9};
   const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
   naive::Matrix distances(7, 7);
@@ -70,7 +70,7 @@ TEST(KnownAnswers, SevenModelsInTwoClasses) {
   expect_measures(result.micro, {.571429, .428571, .928571, .595238, .718910}, 5e-7);
 }
 
-RC_GTEST_PROP(KnownAnswers, FirstTierConvertsBetweenTheProtocols, ()) {
+RC_GTEST_PROP(FirstTier, UnderThePsbProtocolFollowsFromThatUnderThePaperProtocol, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation psb = evaluate(data.distances, data.labels, by_protocol(Protocol::psb));
   const Evaluation paper = evaluate(data.distances, data.labels, by_protocol(Protocol::paper));

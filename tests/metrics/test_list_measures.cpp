@@ -133,11 +133,11 @@ Contest random_contest(unsigned seed, std::size_t count) {
   return contest;
 }
 
-RC_GTEST_PROP(ListMeasures, MatchTheDefinition, ()) {
+RC_GTEST_PROP(RankedListMeasures, MatchADirectImplementation, ()) {
   expect_literal(random_contest(*rc::gen::arbitrary<unsigned>(), *rc::gen::inRange<std::size_t>(4, 30)));
 }
 
-TEST(ListMeasures, AreLimitedToAThousandModels) {
+TEST(RankedListMeasures, IgnoreRanksBeyondAThousand) {
   // 1,200 models of class 0, every third of them of a subclass, and 100 of class 1. Three queries have lists.
   Contest contest;
   for (int i = 0; i < 1300; ++i) {
@@ -152,7 +152,7 @@ TEST(ListMeasures, AreLimitedToAThousandModels) {
   expect_literal(contest);
 }
 
-TEST(ListMeasures, MatchAWorkedExample) {
+TEST(RankedListMeasures, MatchAWorkedExample) {
   // Grades 3 (the query), 0, 1 and a list that ends; a fourth model of grade 2 is not found.
   RankedList list = list_of_runs({{.size = 1, .hits = 1, .misses = 0, .grade = 3},
                                   {.size = 1, .hits = 0},
@@ -167,12 +167,12 @@ TEST(ListMeasures, MatchAWorkedExample) {
   EXPECT_DOUBLE_EQ(value("nDCG@N"), (3 + 1 / std::log2(3)) / (3 + 2 + 1 / std::log2(3)));
 }
 
-TEST(ListMeasures, AreZeroForAnEmptyList) {
+TEST(RankedListMeasures, AreZeroForAnEmptyList) {
   const RankedList list = list_of_runs({}, false, 3);
   for (const std::string& name : names) EXPECT_EQ(measure_of(name).value(list), 0) << name;
 }
 
-TEST(ListMeasures, AreTheMeanOverTheOrdersOfTheTied) {
+TEST(RankedListMeasures, AreTheMeanOverAllOrdersOfTies) {
   // A hit, then two hits among five tied models, then a miss: the mean over the ten placings of the two.
   for (const std::size_t count : {2U, 4U, 6U, 7U}) {
     double sum = 0;
@@ -181,14 +181,14 @@ TEST(ListMeasures, AreTheMeanOverTheOrdersOfTheTied) {
       std::vector<bool> hits{true};
       hits.insert(hits.end(), tied.begin(), tied.end());
       hits.push_back(false);
-      sum += precisions_at_hits(list_of_hits(hits), count);
+      sum += sum_of_precisions(list_of_hits(hits), count);
     } while (std::next_permutation(tied.begin(), tied.end()));
     const RankedList list = list_of_runs({{1, 1}, {5, 2}, {1, 0}});
-    EXPECT_NEAR(precisions_at_hits(list, count), sum / 10, 1e-14) << count;
+    EXPECT_NEAR(sum_of_precisions(list, count), sum / 10, 1e-14) << count;
   }
 }
 
-TEST(SubclassGrade, MatchesTheContest) {
+TEST(SubclassGrade, MatchesTheGradesOfShapenet16) {
   EXPECT_EQ(subclass_grade(4, 4), 3);
   EXPECT_EQ(subclass_grade(no_subclass, no_subclass), 3);
   EXPECT_EQ(subclass_grade(4, no_subclass), 2);
@@ -196,7 +196,7 @@ TEST(SubclassGrade, MatchesTheContest) {
   EXPECT_EQ(subclass_grade(4, 5), 1);
 }
 
-TEST(NumberedSubclasses, AreEmptyWithoutNames) {
+TEST(NumberedSubclasses, AreEmptyIfNoSubclassHasAName) {
   EXPECT_TRUE(number_subclasses(std::vector<std::string>{"", ""}).empty());
   EXPECT_THAT(number_subclasses(std::vector<std::string>{"b", "", "a", "b"}),
               testing::ElementsAre(0, no_subclass, 1, 0));

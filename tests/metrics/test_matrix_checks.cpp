@@ -46,7 +46,7 @@ TEST(MatrixChecks, FindNoAnomaliesInAValidMatrix) {
   EXPECT_THAT(found.constant_rows, IsEmpty());
 }
 
-TEST(MatrixChecks, CountAnomalies) {
+TEST(MatrixChecks, CountEachKindOfAnomaly) {
   Matrix distances = sound(200);
   distances(3, 150) = -2;
   distances(7, 9) = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ TEST(MatrixChecks, CountAnomalies) {
   EXPECT_EQ(found.nonzero_diagonal, 1);
 }
 
-TEST(MatrixChecks, FindRowsThatRepeatOthers) {
+TEST(MatrixChecks, FindDuplicateRows) {
   Matrix distances = sound(100);
   for (const Eigen::Index copy : {60, 80}) {
     distances.row(copy) = distances.row(10).eval();
@@ -68,7 +68,7 @@ TEST(MatrixChecks, FindRowsThatRepeatOthers) {
   EXPECT_THAT(check_matrix(distances, true).equal_rows, ElementsAre(Pair(60, 10), Pair(80, 10)));
 }
 
-TEST(MatrixChecks, FindRowsWithoutOrder) {
+TEST(MatrixChecks, FindRowsOfEqualDistances) {
   Matrix distances = sound(50);
   distances.row(20).setConstant(3);
   distances(20, 20) = 0;
@@ -77,7 +77,7 @@ TEST(MatrixChecks, FindRowsWithoutOrder) {
   EXPECT_THAT(check_matrix(Matrix::Zero(2, 2), true).constant_rows, IsEmpty());
 }
 
-TEST(MatrixChecks, FindRowsAtInfiniteDistance) {
+TEST(MatrixChecks, FindRowsOfInfiniteDistances) {
   Matrix distances = sound(50);
   distances.row(20).setConstant(std::numeric_limits<double>::infinity());
   distances(20, 20) = 0;
@@ -101,7 +101,7 @@ TEST(MatrixChecks, IgnoreAsymmetryByRounding) {
   EXPECT_EQ(check_matrix(distances, true).asymmetric_pairs, 1);
 }
 
-TEST(MatrixChecks, FindATriangularMatrix) {
+TEST(MatrixChecks, DetectATriangularMatrix) {
   EXPECT_TRUE(check_matrix(sound(50).triangularView<Eigen::Lower>(), true).triangular);
   EXPECT_TRUE(check_matrix(sound(50).triangularView<Eigen::Upper>(), true, 7).triangular);
   EXPECT_FALSE(check_matrix(sound(50), true).triangular);
@@ -143,7 +143,7 @@ TEST(MatrixChecks, AreIndependentOfTheBlockSize) {
   }
 }
 
-RC_GTEST_PROP(MatrixChecks, CountEveryPairThatDiffers, ()) {
+RC_GTEST_PROP(MatrixChecks, CountEveryAsymmetricPair, ()) {
   const auto size = *rc::gen::inRange<Eigen::Index>(1, 90);
   const Matrix distances = Matrix::NullaryExpr(size, size, [] { return *rc::gen::inRange(0, 3); });
   Eigen::Index pairs = 0;

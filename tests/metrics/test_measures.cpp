@@ -16,12 +16,12 @@ using testing::HasSubstr;
 
 double value(const std::string& measure, const RankedList& list) { return measure_of(measure).value(list); }
 
-TEST(NearestNeighbour, UsesTheFirstRank) {
+TEST(NearestNeighbour, ScoresTheModelAtTheFirstRank) {
   EXPECT_EQ(value("NN", list_of_hits({true, false})), 1);
   EXPECT_EQ(value("NN", list_of_hits({false, true})), 0);
 }
 
-TEST(NearestNeighbour, SkipsTheQuery) {
+TEST(NearestNeighbour, IgnoresTheQueryItself) {
   EXPECT_EQ(value("NN", list_of_hits({true, false, true}, true)), 0);
   EXPECT_EQ(value("NN", list_of_hits({true, true, false}, true)), 1);
 }
@@ -30,7 +30,7 @@ TEST(FirstTier, CountsHitsAmongTheFirstR) {
   EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false, false, true, false, false, true})), 1.0 / 3);
 }
 
-TEST(FirstTier, CountsRelevantModelsThatAreNotInTheList) {
+TEST(FirstTier, CountsRelevantModelsMissingFromTheListAsMisses) {
   EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false}, false, 3)), 1.0 / 4);
 }
 
@@ -38,9 +38,11 @@ TEST(SecondTier, CountsHitsAmongTheFirstTwiceR) {
   EXPECT_DOUBLE_EQ(value("ST", list_of_hits({true, false, false, true, false, false, true})), 2.0 / 3);
 }
 
-TEST(SecondTier, EndsWithTheList) { EXPECT_DOUBLE_EQ(value("ST", list_of_hits({false, true, true, true})), 1); }
+TEST(SecondTier, CountsAllHitsOfAListShorterThanTwiceR) {
+  EXPECT_DOUBLE_EQ(value("ST", list_of_hits({false, true, true, true})), 1);
+}
 
-TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAmongThirtyTwo) {
+TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAtRank32) {
   std::vector<bool> hits(100, false);
   for (const std::size_t rank : {1, 5, 20, 32, 33, 50, 60, 70}) hits[rank - 1] = true;
   const double precision = 4.0 / 32;
@@ -48,7 +50,7 @@ TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAmongThirtyTwo) {
   EXPECT_DOUBLE_EQ(value("E", list_of_hits(hits)), 2 / (1 / precision + 1 / recall));
 }
 
-TEST(EMeasure, UsesAllOfAShorterList) {
+TEST(EMeasure, UsesAllRanksOfAShorterList) {
   // Four results, two of them relevant, all found: precision 1/2, recall 1.
   EXPECT_DOUBLE_EQ(value("E", list_of_hits({false, true, false, true})), 2.0 / 3);
 }
@@ -69,7 +71,7 @@ TEST(DiscountedCumulativeGain, IsExactlyOneForAPerfectList) {
   }
 }
 
-TEST(DiscountedCumulativeGain, CountsTheFirstTwoRanksTheSame) {
+TEST(DiscountedCumulativeGain, WeighsTheFirstTwoRanksEqually) {
   EXPECT_EQ(value("DCG", list_of_hits({true, false, false})), 1);
   EXPECT_EQ(value("DCG", list_of_hits({false, true, false})), 1);
   EXPECT_LT(value("DCG", list_of_hits({false, false, true})), 1);
@@ -85,20 +87,20 @@ TEST(AveragePrecision, IsTheMeanPrecisionAtTheHits) {
                    (1.0 / 1 + 2.0 / 3 + 3.0 / 6) / 3);
 }
 
-TEST(PrecisionAt, DividesByKEvenWhereTheListIsShorter) {
+TEST(PrecisionAtK, DividesByKForShorterLists) {
   const RankedList list = list_of_hits({true, false, true});
   EXPECT_EQ(value("P@1", list), 1);
   EXPECT_EQ(value("P@2", list), 0.5);
   EXPECT_EQ(value("P@10", list), 0.2);
 }
 
-TEST(RecallAt, DividesByAllRelevantModels) {
+TEST(RecallAtK, DividesByAllRelevantModels) {
   const RankedList list = list_of_hits({true, false, true}, false, 2);
   EXPECT_EQ(value("R@2", list), 0.25);
   EXPECT_EQ(value("R@10", list), 0.5);
 }
 
-TEST(F1At, IsTheHarmonicMeanOfPrecisionAndRecall) {
+TEST(F1AtK, IsTheHarmonicMeanOfPrecisionAndRecall) {
   const RankedList list = list_of_hits({true, false, true, false, false, true});
   EXPECT_DOUBLE_EQ(value("F1@4", list), 2 / (1 / 0.5 + 1 / (2.0 / 3)));
   EXPECT_EQ(value("F1@1", list_of_hits({false, true})), 0);
@@ -113,7 +115,7 @@ TEST(ReciprocalRank, UsesTheFirstHit) {
   EXPECT_EQ(value("MRR", list_of_hits({false}, false, 1)), 0);
 }
 
-TEST(ReciprocalRank, IsTheMeanOverTheOrdersOfTheTied) {
+TEST(ReciprocalRank, IsTheMeanOverAllOrdersOfTies) {
   // One hit at any of the ranks 2, 3, 4.
   EXPECT_DOUBLE_EQ(value("MRR", list_of_runs({{1, 0}, {3, 1}})), (1.0 / 2 + 1.0 / 3 + 1.0 / 4) / 3);
 }
@@ -125,7 +127,7 @@ TEST(NormalisedDiscountedGain, MatchesAWorkedExample) {
   EXPECT_DOUBLE_EQ(value("nDCG", list), (1 + 0.5 + 1.0 / 3) / (1.5 + 1 / log2_of_3));
 }
 
-TEST(NormalisedDiscountedGain, CountsRelevantModelsThatAreNotInTheListInTheIdeal) {
+TEST(NormalisedDiscountedGain, IdealIncludesRelevantModelsMissingFromTheList) {
   const double log2_of_3 = 1.584962500721156;
   EXPECT_DOUBLE_EQ(value("nDCG", list_of_hits({false, true, true}, false, 1)),
                    (1 / log2_of_3 + 0.5) / (1.5 + 1 / log2_of_3));
@@ -141,7 +143,7 @@ TEST(BullsEye, CountsTheQueryUnderEveryProtocol) {
   EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
 }
 
-TEST(AreaUnderCurve, IsTheSumOfTrapezia) {
+TEST(AreaUnderCurve, IsTheAreaByTheTrapezoidalRule) {
   // Precision 1, 2/3, 1/2 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({true, false, true, false, false, true});
   EXPECT_DOUBLE_EQ(value("AUC-PR", list), (1 + (1 + 2.0 / 3) / 2 + (2.0 / 3 + 0.5) / 2) / 3);
@@ -175,12 +177,12 @@ TEST(MeasureRegistry, FindsMeasuresByName) {
   EXPECT_EQ(measure_of("AP").name, "mAP");
 }
 
-TEST(MeasureRegistry, RefusesAMeasureThatIsNamedTwice) {
+TEST(MeasureRegistry, RejectsAListThatNamesAMeasureTwice) {
   EXPECT_EQ(measures_of(std::vector<std::string>{"P@1", "P@2"}).size(), 2U);
   EXPECT_THROW(measures_of(std::vector<std::string>{"mAP", "FT", "AP"}), ArgumentError);
 }
 
-TEST(MeasureRegistry, OtherNamesAreErrors) {
+TEST(MeasureRegistry, RejectsUnknownMeasureNames) {
   EXPECT_THAT(measure_error_of("PP"), HasSubstr("\"PP\"; did you mean"));
   for (const char* name : {"FT@N", "FT@3", "P", ""})
     EXPECT_THAT(measure_error_of(name), HasSubstr("no measure")) << name;
@@ -190,7 +192,7 @@ TEST(MeasureRegistry, OtherNamesAreErrors) {
 }
 
 // Registers a measure as a user of the library would.
-TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
+TEST(MeasureRegistry, AcceptsAUserDefinedMeasure) {
   measure_definitions().add({.name = "Miss@k",
                              .title = "misses at k",
                              .definition = "The fraction of misses among the first k ranks.",
@@ -204,7 +206,7 @@ TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
   EXPECT_THAT(measure_error_of("nowhere"), HasSubstr("\"Miss@k\""));
 }
 
-TEST(MeasureRegistry, RefusesNamesAndFunctionsThatDoNotFit) {
+TEST(MeasureRegistry, RejectsInvalidNamesAndFunctions) {
   const auto half = [](const RankedList&) { return 0.5; };
   const auto half_at = [](const RankedList&, std::size_t) { return 0.5; };
   for (const char* name : {"", "@k", "@N", "a b", "a,b", "a@3", "FT", "AP"}) {
@@ -219,7 +221,7 @@ TEST(MeasureRegistry, RefusesNamesAndFunctionsThatDoNotFit) {
   EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));
 }
 
-TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreCombined) {
+TEST(MeasureRegistry, CombinesTheDefaultMeasuresOfSeveralProtocols) {
   std::vector<std::string> names;
   for (const Measure& measure :
        default_measures(std::vector<Protocol>{Protocol::psb, Protocol::paper, Protocol::trec})) {
@@ -231,7 +233,7 @@ TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreCombined) {
 
 // Every list of up to ten ranks with a hit, with and without a relevant model outside the list: a measure that is
 // added must satisfy the contract of the registry.
-TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
+TEST(MeasureRegistry, GivesScoresBetweenZeroAndOneForEveryShortList) {
   const std::vector<Measure> measures = one_of_each();
   for (std::size_t length = 1; length <= 10; ++length) {
     for (unsigned pattern = 1; pattern < (1U << length); ++pattern) {
@@ -248,7 +250,7 @@ TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
   }
 }
 
-TEST(NormalisedDiscountedGain, TakesGradesAsGains) {
+TEST(NormalisedDiscountedGain, UsesGradesAsGains) {
   // Grades 1, 0, 3 at ranks 1, 2, 3, and one of 2 that is not in the list.
   RankedList list = list_of_runs({{.size = 1, .hits = 1, .misses = 0, .grade = 1},
                                   {.size = 1, .hits = 0},
@@ -266,7 +268,7 @@ TEST(BinaryPreference, CountsJudgedMissesBeforeHits) {
   EXPECT_DOUBLE_EQ(value("bpref", list), ((1 - 0.0 / 2) + (1 - 1.0 / 2) + (1 - 2.0 / 2) + 0) / 4);
 }
 
-TEST(BinaryPreference, CountsNoMoreMissesThanThereAreHits) {
+TEST(BinaryPreference, CountsNoMoreMissesThanRelevantModels) {
   EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{7, 0}, {2, 2}, {5, 0}})), 0);
   EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{1, 0}, {2, 2}, {5, 0}})), 0.5);
   EXPECT_EQ(value("bpref", list_of_hits({true, true})), 1);
@@ -275,7 +277,7 @@ TEST(BinaryPreference, CountsNoMoreMissesThanThereAreHits) {
   }
 }
 
-TEST(BinaryPreference, IsTheMeanOverTheOrdersOfTheTied) {
+TEST(BinaryPreference, IsTheMeanOverAllOrdersOfTies) {
   // Behind a miss, two hits and two misses in any order: the six orders one by one.
   double sum = 0;
   std::vector<bool> order = {false, false, true, true};

@@ -26,7 +26,7 @@ struct Example {
   std::vector<int> classes;
 };
 
-TEST(MethodComparison, AllPairs) {
+TEST(MethodComparison, ComparesAllPairsOfMethods) {
   const Example data;
   const MethodComparison result = compare_methods(data.per_query, data.classes);
   EXPECT_EQ(result.units, 150);
@@ -46,7 +46,7 @@ TEST(MethodComparison, AllPairs) {
   EXPECT_NEAR(result.averages[2] - result.averages[0], 0.05, 1e-12);
 }
 
-TEST(MethodComparison, EachPairHasItsOwnTukeyTest) {
+TEST(MethodComparison, TukeyPValueOfAPairDoesNotDependOnTheReference) {
   const Example data;
   const MethodComparison result = compare_methods(data.per_query, data.classes);
   ASSERT_EQ(result.pairs.size(), 3U);
@@ -63,7 +63,7 @@ TEST(MethodComparison, EachPairHasItsOwnTukeyTest) {
   EXPECT_LE(by_distance[1].p_tukey, by_distance.back().p_tukey);
 }
 
-TEST(MethodComparison, TheReferenceWithEachOther) {
+TEST(MethodComparison, ComparesTheReferenceWithEachOtherMethod) {
   const Example data;
   const MethodComparison result = compare_methods(data.per_query, data.classes, {.reference = 1});
   ASSERT_EQ(result.pairs.size(), 2U);
@@ -72,7 +72,7 @@ TEST(MethodComparison, TheReferenceWithEachOther) {
   EXPECT_EQ(result.pairs[1].second, 2U);
 }
 
-TEST(MethodComparison, EachTestFindsOnlyTheConstantDifference) {
+TEST(MethodComparison, EachTestFindsOnlyTheConstantDifferenceSignificant) {
   const Example data;
   for (const std::string& name : list_of_words<PairTest>()) {
     const PairTest test = value_of_word<PairTest>(name).value();
@@ -83,7 +83,7 @@ TEST(MethodComparison, EachTestFindsOnlyTheConstantDifference) {
   }
 }
 
-TEST(MethodComparison, EqualMethodsAreTied) {
+TEST(MethodComparison, EqualMethodsHavePValueOne) {
   Example data;
   data.per_query.col(2) = data.per_query.col(0);
   for (const std::string& name : list_of_words<PairTest>()) {
@@ -96,7 +96,7 @@ TEST(MethodComparison, EqualMethodsAreTied) {
   }
 }
 
-TEST(MethodComparison, RejectsIncomparableMethods) {
+TEST(MethodComparison, RejectsASingleMethodASingleClassAndInfiniteScores) {
   const Example data;
   EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), ArgumentError);
   EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4), {.blocks = ResamplingUnit::classes}),
@@ -108,14 +108,14 @@ TEST(MethodComparison, RejectsIncomparableMethods) {
 }
 
 // The randomisation of n units has 2^n outcomes, and the two with all signs equal are indistinguishable.
-TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
-  EXPECT_EQ(smallest_p_value({}, 3), 0.25);
-  EXPECT_EQ(smallest_p_value({.resampling = {.resamples = 9}}, 30), 0.1);
-  EXPECT_EQ(smallest_p_value({.test = PairTest::bootstrap, .resampling = {.resamples = 99}}, 3), 0.01);
-  EXPECT_EQ(smallest_p_value({.test = PairTest::t}, 3), 0);
+TEST(MethodComparison, PValueIsAtLeastTheSmallestPossible) {
+  EXPECT_EQ(min_attainable_p_value({}, 3), 0.25);
+  EXPECT_EQ(min_attainable_p_value({.resampling = {.resamples = 9}}, 30), 0.1);
+  EXPECT_EQ(min_attainable_p_value({.test = PairTest::bootstrap, .resampling = {.resamples = 99}}, 3), 0.01);
+  EXPECT_EQ(min_attainable_p_value({.test = PairTest::t}, 3), 0);
   const Eigen::MatrixXd plain{{0, 1}, {0.1, 1}, {0.2, 1}};
   const double p = compare_methods(plain, std::vector<int>{0, 1, 2}).pairs[0].p;  // as many classes as queries
-  EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);                                  // of 10,000 resamples
+  EXPECT_NEAR(p, min_attainable_p_value({}, 3), 0.02);                            // of 10,000 resamples
 }
 
 TEST(ClassPValue, MatchesTheTTestOfClassMeans) {
@@ -126,7 +126,7 @@ TEST(ClassPValue, MatchesTheTTestOfClassMeans) {
   EXPECT_EQ(class_p_value(-differences, classes), class_p_value(differences, classes));
 }
 
-TEST(ClassPValue, ADifferenceInOneClassOfManyIsNotSignificant) {
+TEST(ClassPValue, IsLargeForADifferenceInOneClassOnly) {
   // 140 queries of one class are better, the two other classes are a little worse.
   Eigen::VectorXd differences = Eigen::VectorXd::Ones(160);
   differences.tail(20).setConstant(-0.2);
@@ -140,7 +140,7 @@ TEST(ClassPValue, ADifferenceInOneClassOfManyIsNotSignificant) {
   EXPECT_GT(pair.p_classes, 0.5);
 }
 
-TEST(ClassPValue, IsNoneWithoutSeveralClassesThatAgreeWithTheAverage) {
+TEST(ClassPValue, IsOneForASingleClassOrClassesThatContradictTheAverage) {
   EXPECT_EQ(class_p_value(Eigen::VectorXd::Ones(9), std::vector<int>(9, 3)), 1);
   EXPECT_EQ(class_p_value(Eigen::VectorXd::Zero(4), std::vector<int>{0, 0, 1, 1}), 1);
   // The differences of each class cancel, except for the rounding of their sum.
@@ -159,7 +159,7 @@ TEST(MinClassEffect, GrowsWithPairsAndFallsWithClasses) {
   EXPECT_EQ(min_class_effect(1, 1, 0.05), std::numeric_limits<double>::infinity());
 }
 
-TEST(MethodComparison, TheTTestWeighsUnitsAsTheAverageDoes) {
+TEST(MethodComparison, TTestWeighsUnitsLikeTheAverage) {
   // One class of three queries and one of one: under macro the last query counts three times as much as the others.
   const Eigen::MatrixXd per_query{{0.5, 0.4}, {0.7, 0.4}, {0.3, 0.1}, {0.9, 0.2}};
   const std::vector<int> classes = {0, 0, 0, 1};

@@ -56,14 +56,14 @@ TEST(MethodStandings, RankByAverageAndGroupBySignificance) {
   EXPECT_EQ(standings[1].worst_rank, 1U);
 }
 
-TEST(MethodStandings, UntestedHaveRanksOnly) {
+TEST(MethodStandings, HaveRanksButNoIntervalsIfSignificanceIsNotTested) {
   const auto standings = standings_of(steady_methods({0.3, 0.9}), pairs_of_queries(), {.tested = false});
   EXPECT_EQ(standings[0].rank, 2U);
   EXPECT_EQ(standings[0].best_rank, 1U);
   EXPECT_FALSE(standings[0].interval);
 }
 
-TEST(MethodStandings, EqualAveragesShareTheBetterRank) {
+TEST(MethodStandings, GiveMethodsOfEqualAverageTheSameRank) {
   Eigen::MatrixXd table = steady_methods({0.5, 0.2, 0.5, 0.1});
   table.col(2) = table.col(0);
   const auto standings = standings_of(table, pairs_of_queries());
@@ -73,11 +73,11 @@ TEST(MethodStandings, EqualAveragesShareTheBetterRank) {
   EXPECT_EQ(standings[3].rank, 4U);
 }
 
-TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
+TEST(MethodStandings, ShareLettersExactlyIfTheTestFindsNoDifference) {
   const SimulatedMethods methods = spread_methods();
   const StandingOptions options{};
   const auto standings = standings_of(methods.per_query, methods.classes, options);
-  const UnitValues units = units_of(methods.per_query, methods.classes, options.blocks, options.average);
+  const UnitValues units = unit_values_of(methods.per_query, methods.classes, options.blocks, options.average);
   const Eigen::MatrixXd p = tukey_hsd_p_values(units, options.resampling);
   const auto intervals = bootstrap_intervals(units, options.confidence, options.resampling);
   for (std::size_t a = 0; a < standings.size(); ++a) {
@@ -99,7 +99,7 @@ TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
   EXPECT_EQ(at_level[1].worst_rank, 1U);
 }
 
-TEST(MethodStandings, OneClassOrOneMethodHasNoDifferences) {
+TEST(MethodStandings, ReportNoDifferencesForOneClassOrOneMethod) {
   const auto one_class =
       standings_of(steady_methods({0.9, 0.1}), std::vector<int>(40, 3), {.blocks = ResamplingUnit::classes});
   EXPECT_FALSE(one_class[0].interval);
@@ -110,7 +110,7 @@ TEST(MethodStandings, OneClassOrOneMethodHasNoDifferences) {
   EXPECT_TRUE(one_method[0].interval);
 }
 
-TEST(MethodStandings, RefuseNoMethodsAndNumbersThatAreNotFinite) {
+TEST(MethodStandings, RejectEmptyTablesAndNonFiniteScores) {
   EXPECT_THROW(standings_of(Eigen::MatrixXd(40, 0), pairs_of_queries()), ArgumentError);
   Eigen::MatrixXd table = steady_methods({0.5, 0.2});
   table(3, 1) = std::numeric_limits<double>::quiet_NaN();

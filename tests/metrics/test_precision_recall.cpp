@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 constexpr double last_place = 1e-15;
 
-TEST(RecallLevels, ArePsbTwentyAndPaperTenWithZero) {
+TEST(RecallLevels, AreTwentyUnderThePsbAndElevenFromZeroUnderThePaperProtocol) {
   const auto psb = recall_levels(CurveKind::psb);
   ASSERT_EQ(psb.size(), 20U);
   EXPECT_EQ(psb.front(), 0.05);
@@ -30,7 +30,7 @@ RankedList psb_plot_example() {
   return list_of_hits(hits);
 }
 
-TEST(PrecisionAtLevels, PsbInterpolatesLinearlyBetweenHits) {
+TEST(PrecisionAtRecallLevels, PsbCurveInterpolatesLinearlyBetweenHits) {
   const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), CurveKind::psb);
   const auto at_recall = [&](int percent) { return precision[percent / 5 - 1]; };
   EXPECT_NEAR(at_recall(20), 1, last_place);
@@ -43,14 +43,14 @@ TEST(PrecisionAtLevels, PsbInterpolatesLinearlyBetweenHits) {
   EXPECT_NEAR(at_recall(95), 0.25 * 4 / 41 + 0.75 * 5 / 44, last_place);
 }
 
-TEST(PrecisionAtLevels, PsbKeepsTheFirstHitsPrecisionBelowIt) {
+TEST(PrecisionAtRecallLevels, PsbCurveUsesThePrecisionOfTheFirstHitBelowItsRecall) {
   const RankedList list = list_of_hits({false, true, true});
   const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::psb);
   for (int level = 0; level < 10; ++level) EXPECT_EQ(precision[level], 0.5);
   EXPECT_GT(precision[10], 0.5);
 }
 
-TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
+TEST(PrecisionAtRecallLevels, PaperCurveUsesThePrecisionOfTheLastHitUpToTheLevel) {
   // Hits at ranks 1, 2, 4, 8: recall 0.25, 0.5, 0.75, 1; precision 1, 1, 3/4, 1/2.
   const RankedList list = list_of_hits({true, true, false, true, false, false, false, true, false}, true);
   const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::paper);
@@ -58,13 +58,13 @@ TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0.75, 0.75, 0.5));
 }
 
-TEST(PrecisionAtLevels, PaperIsOneBeforeAnyHit) {
+TEST(PrecisionAtRecallLevels, PaperCurveIsOneBelowTheRecallOfTheFirstHit) {
   const Eigen::VectorXd precision = precision_at_levels(list_of_hits({false, true, true}), CurveKind::paper);
   const std::vector<double> values(precision.begin(), precision.end());
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5, 0.5, 2.0 / 3));
 }
 
-TEST(PrecisionAtLevels, PaperIncludesALevelThatIsExactlyReached) {
+TEST(PrecisionAtRecallLevels, PaperCurveIncludesAHitExactlyAtTheLevel) {
   // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must still count at level
   // 0.3.
   std::vector<bool> hits_at(100, false);
@@ -75,7 +75,7 @@ TEST(PrecisionAtLevels, PaperIncludesALevelThatIsExactlyReached) {
   }
 }
 
-TEST(PrecisionAtLevels, TrecIsTheMaximumFromTheLevelOn) {
+TEST(PrecisionAtRecallLevels, TrecCurveIsTheMaximumPrecisionAtThisOrAnyHigherRecall) {
   // Precision 1/2, 2/3, 3/6 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({false, true, true, false, false, true});
   const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::trec);
@@ -83,7 +83,7 @@ TEST(PrecisionAtLevels, TrecIsTheMaximumFromTheLevelOn) {
   for (int level = 0; level <= 10; ++level) EXPECT_EQ(precision[level], level <= 6 ? 2.0 / 3 : 0.5) << level;
 }
 
-TEST(PrecisionAtLevels, RawMeetsTheHitsOfTheLongestAndTheFirstToReachTheLevelOfOthers) {
+TEST(PrecisionAtRecallLevels, RawCurveIsThePrecisionOfTheFirstHitThatReachesTheLevel) {
   const RankedList list = list_of_hits({true, false, false, true});
   const Eigen::VectorXd longest = precision_at_levels(list, CurveKind::raw, 2);
   EXPECT_THAT(std::vector<double>(longest.begin(), longest.end()), ElementsAre(1, 0.5));
@@ -91,12 +91,12 @@ TEST(PrecisionAtLevels, RawMeetsTheHitsOfTheLongestAndTheFirstToReachTheLevelOfO
   EXPECT_THAT(std::vector<double>(shorter.begin(), shorter.end()), ElementsAre(1, 1, 0.5, 0.5, 0.5));
 }
 
-TEST(PrecisionAtLevels, ModelsThatAreNotInTheListHaveNoPrecision) {
+TEST(PrecisionAtRecallLevels, IsZeroBeyondTheRecallOfATruncatedList) {
   const Eigen::VectorXd precision = precision_at_levels(list_of_hits({true, false}, false, 1), CurveKind::trec);
   for (int level = 0; level <= 10; ++level) EXPECT_EQ(precision[level], level <= 5 ? 1 : 0) << level;
 }
 
-TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
+TEST(PrecisionRecallCurveKind, ConvertsToAndFromNamesAndFollowsTheProtocolByDefault) {
   EXPECT_THAT(list_of_words<CurveKind>(), ElementsAre("psb", "paper", "trec", "raw", "trec_eval"));
   for (const std::string& name : list_of_words<CurveKind>())
     EXPECT_EQ(name_of(value_of_word<CurveKind>(name).value()), name);
@@ -106,7 +106,7 @@ TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
   }
 }
 
-TEST(AverageCurve, PsbLeavesOutListsWithoutAHitBelowTheLevel) {
+TEST(AveragePrecisionRecallCurve, PsbCurveExcludesListsWithoutAHitBelowTheLevel) {
   Eigen::MatrixXd precisions(2, 20);
   precisions.row(0).setConstant(0.2);
   precisions.row(1).setConstant(0.6);
@@ -119,7 +119,7 @@ TEST(AverageCurve, PsbLeavesOutListsWithoutAHitBelowTheLevel) {
   }
 }
 
-TEST(AverageCurve, PsbUsesAllListsWhereNoneHasAHitBelowTheLevel) {
+TEST(AveragePrecisionRecallCurve, PsbCurveUsesAllListsIfNoneHasAHitBelowTheLevel) {
   Eigen::MatrixXd precisions(2, 20);
   precisions.row(0).setConstant(0.5);
   precisions.row(1).setConstant(0.25);
@@ -127,7 +127,7 @@ TEST(AverageCurve, PsbUsesAllListsWhereNoneHasAHitBelowTheLevel) {
   EXPECT_EQ(average_curve(precisions, relevant, CurveKind::psb).precision[0], 0.375);
 }
 
-TEST(AverageCurve, PaperAveragesAllQueriesAtEachLevel) {
+TEST(AveragePrecisionRecallCurve, PaperCurveAveragesAllQueriesAtEachLevel) {
   Eigen::MatrixXd precisions(2, 11);
   precisions.row(0).setConstant(0.5);
   precisions.row(1).setConstant(0.25);

@@ -25,7 +25,7 @@ TEST(Protocol, ConvertsToAndFromNames) {
   EXPECT_EQ(value_of_word<Protocol>("paper"), Protocol::paper);
 }
 
-TEST(Protocol, RejectsOtherNames) {
+TEST(Protocol, RejectsUnknownNames) {
   EXPECT_FALSE(value_of_word<Protocol>(""));
   EXPECT_FALSE(value_of_word<Protocol>("PSB"));
   EXPECT_FALSE(value_of_word<Protocol>("psb "));
@@ -58,14 +58,14 @@ std::vector<Eigen::RowVectorXd> all_orders(const EvaluationCase& data, Eigen::In
   return values;
 }
 
-TEST(Ties, ConvertToAndFromNames) {
+TEST(TieOrders, ConvertToAndFromNames) {
   EXPECT_THAT(list_of_words<Ties>(), testing::ElementsAre("index", "optimistic", "pessimistic", "expected"));
   for (const std::string& name : list_of_words<Ties>()) EXPECT_EQ(name_of(value_of_word<Ties>(name).value()), name);
   EXPECT_FALSE(value_of_word<Ties>("random"));
 }
 
 // Brute force, for data sets of up to six models: the mean over all 720 orders, the best and the worst.
-RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) {
+RC_GTEST_PROP(TieOrders, ExpectedScoreIsTheMeanOverAllOrdersBetweenItsBounds, ()) {
   const EvaluationCase data = *cases_with_ties(6);
   const Evaluation expected = evaluate_case(data, Ties::expected);
   const Evaluation optimistic = evaluate_case(data, Ties::optimistic);
@@ -92,7 +92,7 @@ RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) 
   RC_ASSERT(expected.queries_with_ties == changed);
 }
 
-RC_GTEST_PROP(Ties, ExpectedAveragesDoNotDependOnTheOrderOfModels, ()) {
+RC_GTEST_PROP(TieOrders, ExpectedAveragesDoNotDependOnTheOrderOfModels, ()) {
   const EvaluationCase data = *cases_with_ties();
   std::vector<Eigen::Index> order(data.labels.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -110,7 +110,7 @@ RC_GTEST_PROP(Ties, ExpectedAveragesDoNotDependOnTheOrderOfModels, ()) {
   RC_ASSERT(before.queries_with_ties == after.queries_with_ties);
 }
 
-RC_GTEST_PROP(Ties, WithoutTiesAllAgree, ()) {
+RC_GTEST_PROP(TieOrders, GiveEqualScoresWithoutTies, ()) {
   const EvaluationCase data = *cases_without_ties();
   const Evaluation index = evaluate_case(data, Ties::index);
   RC_ASSERT(index.queries_with_ties == 0);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(Ties, WithoutTiesAllAgree, ()) {
   }
 }
 
-RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
+RC_GTEST_PROP(TieOrders, IndexAndExpectedScoresLieBetweenTheBounds, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Eigen::ArrayXXd most = evaluate_case(data, Ties::optimistic).per_query.array() + protocol_rounding;
   const Eigen::ArrayXXd least = evaluate_case(data, Ties::pessimistic).per_query.array() - protocol_rounding;
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
   }
 }
 
-RC_GTEST_PROP(Ties, FirstTierBoundsMatchTheOrders, ()) {
+RC_GTEST_PROP(TieOrders, BoundsOfFirstTierMatchAllOrders, ()) {
   const EvaluationCase data = *cases_with_ties();
   const auto first_tier = [&](Ties ties) {
     return evaluate(data.distances, data.labels,
@@ -145,7 +145,7 @@ RC_GTEST_PROP(Ties, FirstTierBoundsMatchTheOrders, ()) {
 
 // All distances equal: every order is equally likely, and a list of N - 1 ranks with R hits anywhere has the mean
 // R / (N - 1) at rank 1.
-TEST(Ties, AllDistancesEqual) {
+TEST(TieOrders, ExpectedScoresOfEqualDistancesAreTheScoresByChance) {
   EvaluationCase data{naive::Matrix::Ones(600, 600), {}, Protocol::psb};
   for (int model = 0; model < 600; ++model) data.labels.push_back(model / 20);
   const Evaluation result = evaluate_case(data, Ties::expected);

@@ -21,26 +21,26 @@ using testing::ElementsAre;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(FirstRanked, NearestFirstAndTiesByIndex) {
+TEST(FirstRanked, SortsByDistanceAndThenByIndex) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 9), ElementsAre(2, 4, 3, 1, 5));
 }
 
-TEST(FirstRanked, HasAtMostTheRequestedNumber) {
+TEST(FirstRanked, HasAtMostTheRequestedNumberOfModels) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 3), ElementsAre(2, 4, 3));
   EXPECT_THAT(first_ranked(std::vector<double>{0}, 0, 3), ElementsAre());
 }
 
-TEST(FirstRanked, TheQueryIsRemovedByItsIndexNotByItsDistance) {
+TEST(FirstRanked, RemovesTheQueryByItsIndexAndNotByItsDistance) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 0, 7, 1}, 2, 9), ElementsAre(0, 1, 3));
   EXPECT_THAT(first_ranked(std::vector<double>{0, 0, 7, 1}, 1, 9), ElementsAre(0, 3, 2));
 }
 
-TEST(FirstRanked, InfinityRanksLastAndMinusInfinityFirst) {
+TEST(FirstRanked, RanksInfinityLastAndMinusInfinityFirst) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, infinity, 1e308, -infinity, infinity}, 0, 9),
               ElementsAre(3, 2, 1, 4));
 }
 
-TEST(FirstRanked, BothZerosAreEqual) {
+TEST(FirstRanked, TreatsNegativeAndPositiveZeroAsEqual) {
   EXPECT_THAT(first_ranked(std::vector<double>{9, 0.0, -0.0, 0.0}, 0, 9), ElementsAre(1, 2, 3));
 }
 
@@ -58,7 +58,7 @@ RankedList ranked(const std::vector<double>& row, const std::vector<int>& altern
 
 const std::vector<int> alternating = {5, 8, 5, 8, 5};
 
-TEST(RankedList, UnderPsbIsWithoutTheQuery) {
+TEST(RankedList, ExcludesTheQueryUnderThePsbProtocol) {
   const RankedList list = ranked({0, 1, 2, 3, 4}, alternating, Protocol::psb);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.length, 4U);
@@ -68,7 +68,7 @@ TEST(RankedList, UnderPsbIsWithoutTheQuery) {
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0.5));
 }
 
-TEST(RankedList, UnderPaperBeginsWithTheQueryAtAnyDistance) {
+TEST(RankedList, BeginsWithTheQueryAtAnyDistanceUnderThePaperProtocol) {
   const RankedList list = ranked({0, 1, infinity, 3, 4}, alternating, Protocol::paper);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);
@@ -111,13 +111,13 @@ TEST(RankedList, OrdersTiesAsRequested) {
   }
 }
 
-TEST(RankedList, ModelsOfOneKindAtEqualDistanceChangeNothing) {
+TEST(RankedList, DoesNotDependOnTheOrderOfTiesOfEqualRelevance) {
   const RankedList list = ranked({1, 2, 9, 2, 1}, alternating, Protocol::psb, Ties::expected);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
   EXPECT_FALSE(list.tied);
 }
 
-TEST(RankedList, TargetsAndQueriesMayDiffer) {
+TEST(RankedList, AcceptsTargetsThatAreNotQueries) {
   RetrievalTask task = leave_one_out(alternating);
   task.target_classes = {5, no_class, 5, 8, 5};
   task.own_column = {-1, -1, -1, -1, -1};
@@ -125,14 +125,14 @@ TEST(RankedList, TargetsAndQueriesMayDiffer) {
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{1, 0}, RankRun{1, 1}));
 }
 
-TEST(RankedList, JudgementsDetermineRelevance) {
+TEST(RankedList, UsesJudgementsForRelevance) {
   RetrievalTask task = leave_one_out(alternating);
   task.judged = {{}, {}, {1, 3}, {}, {}};
   const RankedList list = list_of(std::vector<double>{0, 1, 2, 3, 4}, task);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 0}, RankRun{2, 2}, RankRun{1, 0}));
 }
 
-TEST(RankedList, MayEndEarly) {
+TEST(RankedList, AcceptsAListThatEndsBeforeAllModels) {
   const RankedList list = list_of(std::vector<ListedModel>{{2, 2}, {1, 1}, {0, 0}}, leave_one_out(alternating));
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{1, 0}));
   EXPECT_EQ(list.length, 2U);
@@ -140,7 +140,7 @@ TEST(RankedList, MayEndEarly) {
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0));
 }
 
-TEST(RankedList, IsEmptyWithoutAnswerUnderEveryProtocolAndScoresZero) {
+TEST(RankedList, WithoutRetrievedModelsScoresZeroUnderEveryProtocol) {
   const RetrievalTask task = leave_one_out(alternating);
   for (const std::string& protocol : list_of_words<Protocol>()) {
     const ListConventions conventions{.protocol = value_of_word<Protocol>(protocol).value(), .ties = Ties::optimistic};
@@ -163,20 +163,20 @@ TEST(RankedList, IsEmptyWithoutAnswerUnderEveryProtocolAndScoresZero) {
   }
 }
 
-TEST(RankedList, HasTheQueryAloneOnlyUnderPaper) {
+TEST(RankedList, ContainsOnlyTheQueryUnderThePaperProtocolWithoutAnswers) {
   const std::vector<ListedModel> itself{{2, 1}};
   const RetrievalTask task = leave_one_out(alternating);
   EXPECT_EQ(list_of(itself, task).length, 0U);
   EXPECT_EQ(list_of(itself, task, {.protocol = Protocol::paper, .ties = Ties::index}).length, 1U);
 }
 
-TEST(RankedList, OneFiniteDistanceIsAnAnswer) {
+TEST(RankedList, KeepsAllModelsIfOneDistanceIsFinite) {
   const RankedList list = list_of(std::vector<double>{infinity, 5, 0, infinity, infinity}, leave_one_out(alternating));
   EXPECT_EQ(list.length, 4U);
   EXPECT_EQ(list.precision_at_hit, (std::vector<double>{0.5, 0.5}));
 }
 
-TEST(RankedList, CountsHits) {
+TEST(RankedList, CountsHitsUpToARank) {
   const RankedList list = list_of_hits({false, true, true, false, true});
   EXPECT_EQ(hits_among_first(list, 0), 0);
   EXPECT_EQ(hits_among_first(list, 2), 1);
@@ -192,13 +192,13 @@ TEST(RankedList, AveragesOverAllOrdersOfTies) {
   EXPECT_DOUBLE_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 1 + 2 * 3.0);
 }
 
-TEST(TiedHits, ASingleHitIsEquallyLikelyAtEachRankOfTheTie) {
+TEST(TiedHits, SingleHitIsEquallyLikelyAtEachTiedRank) {
   const RankedList list = list_of_runs({{2, 0}, {4, 1}});
   ASSERT_EQ(list.precision_at_hit.size(), 1U);
   EXPECT_DOUBLE_EQ(list.precision_at_hit[0], (1.0 / 3 + 1.0 / 4 + 1.0 / 5 + 1.0 / 6) / 4);
 }
 
-TEST(TiedHits, HitsCountOnFromThoseBefore) {
+TEST(TiedHits, PrecisionIncludesTheHitsBeforeTheTie) {
   // Orders of {hit, miss, hit} behind a hit at rank 1 and a miss: second hit at 3, 3, 4; third at 4, 5, 5.
   const RankedList list = list_of_runs({{1, 1}, {1, 0}, {3, 2}});
   EXPECT_DOUBLE_EQ(list.precision_at_hit[1], 2 * (1.0 / 3 + 1.0 / 3 + 1.0 / 4) / 3);
@@ -207,7 +207,7 @@ TEST(TiedHits, HitsCountOnFromThoseBefore) {
 
 // The mean of the sum of the precisions at all hits also has a closed form: in n ranks with m hits, rank i is a hit
 // with the probability m/n, and then 1 + (i - 1)(m - 1)/(n - 1) hits are among the first i.
-TEST(TiedHits, AgreeWithTheClosedFormOfAveragePrecisionForLargeTies) {
+TEST(TiedHits, MatchTheClosedFormOfAveragePrecisionForLargeTies) {
   for (const auto& [size, hits] : {std::pair{20000, 19}, {20000, 10000}, {3001, 3000}, {1000, 2}}) {
     const std::vector<double> precisions =
         list_of_runs({{static_cast<std::size_t>(size), static_cast<std::size_t>(hits)}}).precision_at_hit;
@@ -249,7 +249,7 @@ TEST(RankedList, OrdersTiedGradesAsRequested) {
   EXPECT_THAT(runs(Ties::expected), ElementsAre(RankRun{3, 3, 0, 2}, RankRun{1, 0}));
 }
 
-TEST(RankedList, CountsOnlyJudgedMisses) {
+TEST(RankedList, CountsOnlyJudgedNonRelevantModelsAsMisses) {
   RetrievalTask task = graded_task();
   task.judged = {{}, {}, {0}, {}, {}};
   task.grades = {{}, {}, {1}, {}, {}};

@@ -50,14 +50,14 @@ TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
   EXPECT_EQ(confusion_matrix(nearest_of(on_a_line({0, 1, 4, 2, 3.5, 7, 9})), labels, queries, 2), expected);
 }
 
-TEST(ConfusionMatrix, OnlyQueriesCountAndEveryModelAnswers) {
+TEST(ConfusionMatrix, HasRowsOfQueriesOnlyButNearestModelsOfTheWholeCollection) {
   const std::vector<int> labels = {2, 0, 2};
   const std::vector<Eigen::Index> queries = {0, 2};
   const Eigen::MatrixXi expected{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
   EXPECT_EQ(confusion_matrix(nearest_of(on_a_line({0, 1, 2})), labels, queries, 3), expected);
 }
 
-RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, ()) {
+RC_GTEST_PROP(ConfusionMatrix, DiagonalMatchesTheNearestNeighbourMeasure, ()) {
   const EvaluationCase random = *cases_with_ties();
   const std::set<int> names(random.labels.begin(), random.labels.end());
   std::vector<int> labels;
@@ -99,17 +99,17 @@ Evaluation evaluation() {
   return evaluation;
 }
 
-TEST(WorstQueries, LowestFirstAndEqualsInTheirOrder) {
+TEST(WorstQueries, AreSortedByScoreAndThenByIndex) {
   EXPECT_THAT(worst_queries(evaluation(), "FT", 3), ElementsAre(1, 0, 2));
   EXPECT_THAT(worst_queries(evaluation(), "NN", 4), ElementsAre(1, 3, 0, 2));
 }
 
-TEST(WorstQueries, NoMoreThanThereAre) {
+TEST(WorstQueries, AreAtMostTheNumberOfQueries) {
   EXPECT_THAT(worst_queries(evaluation(), "FT", 10), ElementsAre(1, 0, 2, 3));
   EXPECT_THAT(worst_queries(evaluation(), "FT", 0), ElementsAre());
 }
 
-TEST(WorstQueries, AnUnknownMeasureIsRefused) { EXPECT_THROW(worst_queries(evaluation(), "mAP", 1), ArgumentError); }
+TEST(WorstQueries, RejectAnUnknownMeasure) { EXPECT_THROW(worst_queries(evaluation(), "mAP", 1), ArgumentError); }
 
 }  // namespace
 

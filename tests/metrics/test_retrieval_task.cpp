@@ -12,14 +12,14 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(RetrievalTask, LeaveOneOutCountsAllOthersOfTheClass) {
+TEST(RetrievalTask, OfLeaveOneOutCountsOtherModelsOfTheClassAsRelevant) {
   const RetrievalTask task = leave_one_out(std::vector<int>{3, 5, 3, 3});
   EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 2, 2));
   EXPECT_TRUE(Relevance(task).is_relevant(0, 2));
   EXPECT_FALSE(Relevance(task).is_relevant(0, 1));
 }
 
-TEST(RetrievalTask, QueriesThatAreNoTargetsCountTheWholeClass) {
+TEST(RetrievalTask, CountsTheWholeClassAsRelevantIfQueriesAreNotTargets) {
   RetrievalTask task;
   task.query_classes = {3, no_class, 5};
   task.target_classes = {3, 3, no_class, 5};
@@ -27,20 +27,20 @@ TEST(RetrievalTask, QueriesThatAreNoTargetsCountTheWholeClass) {
   EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 0));
 }
 
-TEST(RetrievalTask, JudgementsCountWithoutTheQuery) {
+TEST(RetrievalTask, ExcludesTheQueryFromItsJudgements) {
   RetrievalTask task = leave_one_out(std::vector<int>{0, 1, 2});
   task.judged = {{0, 2}, {0, 2}, {}};
   EXPECT_THAT(relevant_counts(task), ElementsAre(1, 2, 0));
   EXPECT_TRUE(Relevance(task).is_relevant(1, 2));
 }
 
-TEST(NearestByChance, IsTheShareOfRelevantModelsAmongTheOtherTargets) {
+TEST(NearestNeighbourByChance, IsTheFractionOfRelevantModelsAmongOtherTargets) {
   RetrievalTask task;
   task.query_classes = {3, 5};
   task.target_classes = {3, 3, 5, 5, no_class};
   task.own_column = {-1, 2};
   const Evaluation evaluation = evaluate(DistanceMatrix::Zero(2, 5), task, {});
-  EXPECT_DOUBLE_EQ(nearest_by_chance(evaluation, task)->expected, (2.0 / 4 + 1.0 / 3) / 2);
+  EXPECT_DOUBLE_EQ(compare_nearest_with_chance(evaluation, task)->expected, (2.0 / 4 + 1.0 / 3) / 2);
 }
 
 }  // namespace

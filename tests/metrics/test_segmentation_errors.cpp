@@ -103,7 +103,7 @@ Labels arbitrary_labels(std::size_t count) {
   return *rc::gen::container<Labels>(count, rc::gen::inRange<std::int32_t>(-2, most));
 }
 
-RC_GTEST_PROP(SegmentationErrors, AgreeWithTheLiteralDefinitions, ()) {
+RC_GTEST_PROP(SegmentationErrors, MatchTheLiteralDefinitions, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(1, 60);
   const Labels labels = arbitrary_labels(count);
   const Labels truth = arbitrary_labels(count);
@@ -114,7 +114,7 @@ RC_GTEST_PROP(SegmentationErrors, AgreeWithTheLiteralDefinitions, ()) {
   expect_as_naive(labels, truth, weights, segmentation_errors(labels, truth, weights));
 }
 
-RC_GTEST_PROP(SegmentationErrors, DoNotDependOnNamesOfSegmentsNorOnOrder, ()) {
+RC_GTEST_PROP(SegmentationErrors, DoNotDependOnLabelsOfSegmentsOrOrderOfElements, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(2, 60);
   Labels labels = arbitrary_labels(count);
   Labels truth = arbitrary_labels(count);
@@ -129,7 +129,7 @@ RC_GTEST_PROP(SegmentationErrors, DoNotDependOnNamesOfSegmentsNorOnOrder, ()) {
   RC_ASSERT(std::abs(after.local_consistency - before.local_consistency) < of_sums);
 }
 
-TEST(SegmentationErrors, AreZeroForTheSamePartition) {
+TEST(SegmentationErrors, AreZeroForIdenticalPartitions) {
   const SegmentationErrors errors = segmentation_errors(Labels{4, 4, -1, 7, 7}, Labels{0, 0, 1, 2, 2});
   EXPECT_EQ(errors.rand_index, 0);
   EXPECT_EQ(errors.hamming, 0);
@@ -147,7 +147,7 @@ TEST(SegmentationErrors, MatchAnExampleOfSixElements) {
   EXPECT_NEAR(errors.local_consistency, 1.0 / 6, of_sums);   // only 2 and 3 lie in halves both ways
 }
 
-TEST(SegmentationErrors, RefinementHasZeroConsistencyError) {
+TEST(SegmentationErrors, ConsistencyErrorsAreZeroForARefinement) {
   const SegmentationErrors errors = segmentation_errors(Labels{0, 1, 2, 3}, Labels{0, 0, 1, 1});
   EXPECT_NEAR(errors.missing_rate, 0.5, of_sums);
   EXPECT_EQ(errors.false_alarm_rate, 0);
@@ -157,7 +157,7 @@ TEST(SegmentationErrors, RefinementHasZeroConsistencyError) {
 
 TEST(SegmentationErrors, AreZeroForOneElement) { EXPECT_EQ(segmentation_errors(Labels{3}, Labels{5}).rand_index, 0); }
 
-TEST(SegmentationErrors, RefuseWhatIsNoSegmentation) {
+TEST(SegmentationErrors, RejectLabelsAndWeightsOfDifferentSizesAndNonPositiveWeights) {
   EXPECT_THROW(segmentation_errors(Labels{}, Labels{}), ArgumentError);
   EXPECT_THROW(segmentation_errors(Labels{1, 2}, Labels{1}), ArgumentError);
   EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{1, 1}), ArgumentError);
@@ -166,7 +166,7 @@ TEST(SegmentationErrors, RefuseWhatIsNoSegmentation) {
   EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{std::nan("")}), ArgumentError);
 }
 
-TEST(SegmentationErrors, EachHasANameOfItsOwn) {
+TEST(SegmentationErrors, HaveUniqueNames) {
   std::set<std::string_view> names;
   for (const SegmentationErrorEntry& entry : segmentation_error_entries()) names.insert(entry.name);
   EXPECT_EQ(names.size(), segmentation_error_entries().size());
@@ -187,7 +187,7 @@ std::vector<MeshEdge> ladder(std::int32_t squares) {
   return edges;
 }
 
-TEST(CutDiscrepancy, IsTwiceTheDistanceOfAMovedCut) {
+TEST(CutDiscrepancy, IsTwiceTheDistanceBetweenTwoParallelCuts) {
   const std::vector<MeshEdge> edges = ladder(6);
   EXPECT_NEAR(cut_discrepancy(Labels{0, 1, 1, 1, 1, 1}, Labels{0, 0, 0, 0, 1, 1}, edges, 14, 2.0), 2 * 3 / 2.0,
               of_sums);
@@ -202,7 +202,7 @@ TEST(CutDiscrepancy, WeighsCutsByLengthAndIsSymmetric) {
   EXPECT_NEAR(cut_discrepancy(one_cut, two_cuts, edges, 14, 1.0), 3, of_sums);
 }
 
-TEST(CutDiscrepancy, TakesLengthsOfWaysAndCutsAsTheyAre) {
+TEST(CutDiscrepancy, UsesPathLengthsAlongEdgesAndCutLengths) {
   // Rungs of lengths 1 to 5, 0.5, 1, 1.5 and 2 apart.
   std::vector<MeshEdge> edges = ladder(4);
   for (MeshEdge& edge : edges) {
@@ -221,14 +221,14 @@ TEST(CutDiscrepancy, IgnoresSeparatePartsWithoutCuts) {
   EXPECT_NEAR(cut_discrepancy(Labels{0, 1, 1, 1}, Labels{0, 0, 1, 1}, edges, 10, 1.0), 2, of_sums);
 }
 
-TEST(CutDiscrepancy, IsUndefinedAgainstNoCuts) {
+TEST(CutDiscrepancy, IsUndefinedIfOneSegmentationHasNoCuts) {
   const std::vector<MeshEdge> edges = ladder(3);
   EXPECT_EQ(cut_discrepancy(Labels{0, 0, 0}, Labels{5, 5, 5}, edges, 8, 1.0), 0);
   EXPECT_TRUE(std::isnan(cut_discrepancy(Labels{0, 0, 1}, Labels{5, 5, 5}, edges, 8, 1.0)));
   EXPECT_TRUE(std::isnan(cut_discrepancy(Labels{5, 5, 5}, Labels{0, 0, 1}, edges, 8, 1.0)));
 }
 
-TEST(CutDiscrepancy, RefusesEdgesThatLeadNowhere) {
+TEST(CutDiscrepancy, RejectsEdgesWithInvalidIndices) {
   const Labels labels = {0, 1, 1};
   std::vector<MeshEdge> edges = ladder(3);
   EXPECT_THROW(cut_discrepancy(labels, labels, edges, 7, 1.0), ArgumentError);

@@ -32,25 +32,25 @@ double exact_p(const Eigen::VectorXd& differences) {
   return as_extreme / std::pow(2.0, n);
 }
 
-TEST(RandomisationTest, ComesNearTheExactAnswer) {
+TEST(RandomisationTest, PValueIsCloseToTheExactOne) {
   const Eigen::VectorXd differences = (Eigen::VectorXd(10) << .3, -.1, .2, .25, 0, .1, -.05, .3, .1, -.2).finished();
   const double exact = exact_p(differences);
   ASSERT_GT(exact, 0.02);
   EXPECT_NEAR(p_of(differences, {.resamples = 40000}), exact, 4 * std::sqrt(exact / 40000));
 }
 
-TEST(RandomisationTest, IsNeverZeroAndOneWhereNothingDiffers) {
+TEST(RandomisationTest, PValueIsNeverZeroAndOneForEqualMethods) {
   EXPECT_EQ(p_of(Eigen::VectorXd::Ones(200), {.resamples = 999}), 1.0 / 1000);
   EXPECT_EQ(p_of(Eigen::VectorXd::Zero(200), {.resamples = 999}), 1);
 }
 
-TEST(RandomisationTest, TakesSumsThatDifferByRoundingAsEqual) {
+TEST(RandomisationTest, TreatsSumsThatDifferByRoundingAsEqual) {
   // 0.1 + 0.2 - 0.3 is not 0 in binary fractions, and less than 1e-16: every sum is as far from 0.
   const Eigen::VectorXd differences = (Eigen::VectorXd(3) << .1, .2, -.3).finished();
   EXPECT_EQ(p_of(differences, {.resamples = 999}), 1);
 }
 
-TEST(RandomisationTest, RefusesNoResamplesAndNoUnits) {
+TEST(RandomisationTest, RejectsZeroResamplesAndEmptyInput) {
   EXPECT_THROW(p_of(Eigen::VectorXd::Ones(3), {.resamples = 0}), ArgumentError);
   EXPECT_THROW(p_of(Eigen::VectorXd(0)), ArgumentError);
 }
@@ -59,7 +59,7 @@ double false_positive_rate(ResamplingUnit unit, int data_sets) {
   int significant = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, 1000 + static_cast<unsigned>(i));
-    const UnitValues units = units_of(methods.per_query, methods.classes, unit, Average::micro);
+    const UnitValues units = unit_values_of(methods.per_query, methods.classes, unit, Average::micro);
     const Eigen::VectorXd differences = units.values.col(0) - units.values.col(1);
     if (randomisation_p_value(differences, units.weights, {.resamples = 199}) <= 0.05) ++significant;
   }
@@ -72,25 +72,25 @@ TEST(RandomisationTest, OverClassesHasTheNominalErrorRate) {
 }
 
 // Over queries, see test_bootstrap.cpp, 40 % of equally good methods are called different.
-TEST(RandomisationTest, OverQueriesExceedsTheNominalErrorRateForClasses) {
+TEST(RandomisationTest, OverQueriesExceedsTheNominalErrorRateIfQueriesOfAClassCorrelate) {
   EXPECT_NEAR(false_positive_rate(ResamplingUnit::queries, 300), 0.40, 3 * 0.028);
 }
 
 // "Student"'s own data, Biometrika 1908: hours of sleep gained by one drug over another. t = 4.06 with 9 degrees of
 // freedom, p = 0.00283.
-TEST(PairedTTest, HasThePValueOfStudentsSleepData) {
+TEST(PairedTTest, MatchesThePValueOfTheSleepDataOfStudent) {
   const Eigen::VectorXd gained = (Eigen::VectorXd(10) << 1.2, 2.4, 1.3, 1.3, 0, 1, 1.8, 0.8, 4.6, 1.4).finished();
   const double p = paired_t_p_value(gained);
   EXPECT_NEAR(p, 0.002833, 5e-7);
   EXPECT_DOUBLE_EQ(paired_t_p_value(-gained), p);
 }
 
-TEST(PairedTTest, DifferencesThatDoNotVary) {
+TEST(PairedTTest, HasPValueZeroOrOneForConstantDifferences) {
   EXPECT_EQ(paired_t_p_value(Eigen::VectorXd::Zero(5)), 1);
   EXPECT_EQ(paired_t_p_value(Eigen::VectorXd::Constant(4, -0.5)), 0);
 }
 
-TEST(PairedTTest, NeedsTwo) { EXPECT_THROW(paired_t_p_value(Eigen::VectorXd::Ones(1)), ArgumentError); }
+TEST(PairedTTest, RejectsASingleDifference) { EXPECT_THROW(paired_t_p_value(Eigen::VectorXd::Ones(1)), ArgumentError); }
 
 UnitValues random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
   std::mt19937 random(seed);
@@ -99,7 +99,7 @@ UnitValues random_units(Eigen::Index units, Eigen::Index methods, unsigned seed)
           Eigen::VectorXd::Constant(units, 1.0 / static_cast<double>(units))};
 }
 
-TEST(TukeyHsd, TwoMethodsGiveTheRandomisationTest) {
+TEST(TukeyHsd, MatchesTheRandomisationTestForTwoMethods) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const UnitValues units = random_units(30, 2, seed);
     const double p = randomisation_p_value(units.values.col(0) - units.values.col(1), units.weights);
@@ -108,7 +108,7 @@ TEST(TukeyHsd, TwoMethodsGiveTheRandomisationTest) {
   }
 }
 
-TEST(TukeyHsd, FindsTheMethodThatIsDifferent) {
+TEST(TukeyHsd, FindsTheOneMethodThatDiffers) {
   UnitValues units = random_units(40, 4, 5);
   units.values.col(2).array() += 3;
   const Eigen::MatrixXd p = tukey_hsd_p_values(units, {.resamples = 999});
@@ -120,7 +120,7 @@ TEST(TukeyHsd, FindsTheMethodThatIsDifferent) {
   EXPECT_EQ(p(1, 1), 1);
 }
 
-TEST(TukeyHsd, EqualMethodsAreNotDifferent) {
+TEST(TukeyHsd, HasPValueOneForEqualMethods) {
   UnitValues units = random_units(40, 3, 6);
   units.values.col(1) = units.values.col(0);
   EXPECT_EQ(tukey_hsd_p_values(units)(0, 1), 1);
@@ -135,12 +135,12 @@ TEST(TukeyHsd, HasTheNominalFamilywiseErrorRate) {
   EXPECT_NEAR(wrong / 400.0, 0.05, 3 * 0.0109);
 }
 
-TEST(TukeyHsd, HasItsSmallestPValueWhereAllUnitsAgree) {
-  EXPECT_DOUBLE_EQ(smallest_tukey_p_value(2, 5, {}), 1.0 / 16);
-  EXPECT_DOUBLE_EQ(smallest_tukey_p_value(3, 3, {}), 1.0 / 36);
-  EXPECT_EQ(smallest_tukey_p_value(26, 6, {.resamples = 999}), 0.001);
-  EXPECT_EQ(smallest_tukey_p_value(1, 9, {}), 1);
-  EXPECT_EQ(smallest_tukey_p_value(9, 1, {}), 1);
+TEST(TukeyHsd, HasTheSmallestPossiblePValueIfAllUnitsAgree) {
+  EXPECT_DOUBLE_EQ(min_attainable_tukey_p_value(2, 5, {}), 1.0 / 16);
+  EXPECT_DOUBLE_EQ(min_attainable_tukey_p_value(3, 3, {}), 1.0 / 36);
+  EXPECT_EQ(min_attainable_tukey_p_value(26, 6, {.resamples = 999}), 0.001);
+  EXPECT_EQ(min_attainable_tukey_p_value(1, 9, {}), 1);
+  EXPECT_EQ(min_attainable_tukey_p_value(9, 1, {}), 1);
   const UnitValues agreed{Eigen::RowVector3d(0.1, 0.5, 0.9).replicate(3, 1), Eigen::Vector3d::Constant(1.0 / 3)};
   EXPECT_NEAR(tukey_hsd_p_values(agreed)(0, 2), 1.0 / 36, 4 * std::sqrt(1.0 / 36 / 10000));
   for (unsigned seed = 0; seed < 5; ++seed) {  // sums that differ by rounding are equal
@@ -151,23 +151,23 @@ TEST(TukeyHsd, HasItsSmallestPValueWhereAllUnitsAgree) {
   }
 }
 
-TEST(TukeyHsd, RefusesNoResamples) {
+TEST(TukeyHsd, RejectsZeroResamples) {
   EXPECT_THROW(tukey_hsd_p_values(random_units(3, 2, 1), {.resamples = 0}), ArgumentError);
 }
 
-TEST(Holm, AdjustsInAscendingOrderAndNeverDownwards) {
+TEST(HolmAdjustment, IsMonotoneInAscendingOrderOfPValues) {
   // Ascending: 0.01 * 4, 0.02 * 3, 0.025 * 2 (less than the one before), 0.5 * 1.
   EXPECT_THAT(adjust_by_holm(std::vector<double>{0.5, 0.01, 0.025, 0.02}),
               ElementsAre(DoubleEq(0.5), DoubleEq(0.04), DoubleEq(0.06), DoubleEq(0.06)));
 }
 
-TEST(Holm, StaysBelowOneAndLeavesOneTestAlone) {
+TEST(HolmAdjustment, IsAtMostOneAndKeepsASinglePValue) {
   EXPECT_THAT(adjust_by_holm(std::vector<double>{0.4, 0.6, 0.9}), ElementsAre(1, 1, 1));
   EXPECT_THAT(adjust_by_holm(std::vector<double>{0.03}), ElementsAre(0.03));
   EXPECT_TRUE(adjust_by_holm(std::vector<double>{}).empty());
 }
 
-TEST(EffectSize, IsTheMeanInStandardDeviations) {
+TEST(EffectSize, IsTheMeanDifferenceInStandardDeviations) {
   // Mean 2, squared deviations 1 + 0 + 1, over n - 1 = 2: a standard deviation of 1.
   EXPECT_DOUBLE_EQ(effect_size((Eigen::VectorXd(3) << 1, 2, 3).finished()), 2);
   EXPECT_EQ(effect_size(Eigen::VectorXd::Zero(3)), 0);
@@ -176,7 +176,7 @@ TEST(EffectSize, IsTheMeanInStandardDeviations) {
   EXPECT_THROW(effect_size(Eigen::VectorXd::Ones(1)), ArgumentError);
 }
 
-TEST(WinTieLoss, CountsSigns) {
+TEST(WinTieLoss, CountsTheSignsOfDifferences) {
   const WinTieLoss counts = win_tie_loss((Eigen::VectorXd(6) << 1, 0, -2, 0.5, 0, 3).finished());
   EXPECT_EQ(counts.wins, 3);
   EXPECT_EQ(counts.ties, 2);

@@ -10,7 +10,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(StudentisedRange, TwoGroupsGiveTheNormalDifference) {
+TEST(StudentisedRange, OfTwoGroupsMatchesTheNormalDistribution) {
   // The difference of two standard normal values has the standard deviation sqrt(2).
   for (const double range : {0.1, 1.0, 2.0, 3.5, 6.0}) {
     EXPECT_NEAR(studentised_range_probability(range, 2), std::erf(range / 2), 1e-12);
@@ -18,7 +18,7 @@ TEST(StudentisedRange, TwoGroupsGiveTheNormalDifference) {
   EXPECT_NEAR(studentised_range_quantile(0.05, 2), std::sqrt(2.0) * 1.959963984540054, 1e-9);
 }
 
-TEST(StudentisedRange, AgreesWithPublishedCriticalValues) {
+TEST(StudentisedRange, QuantilesMatchPublishedCriticalValues) {
   // Demsar 2006, table 5(a): critical values of Nemenyi's test, q / sqrt(2), for 2 to 10 methods.
   const double at_5_percent[] = {1.960, 2.343, 2.569, 2.728, 2.850, 2.949, 3.031, 3.102, 3.164};
   const double at_10_percent[] = {1.645, 2.052, 2.291, 2.459, 2.589, 2.693, 2.780, 2.855, 2.920};
@@ -28,7 +28,7 @@ TEST(StudentisedRange, AgreesWithPublishedCriticalValues) {
   }
 }
 
-TEST(StudentisedRange, IsItsOwnInverseForManyMethods) {
+TEST(StudentisedRange, QuantileInvertsTheProbabilityForManyGroups) {
   for (const std::size_t count : {3U, 30U, 300U}) {
     for (const double alpha : {1e-6, 0.01, 0.5, 0.99}) {
       EXPECT_NEAR(1 - studentised_range_probability(studentised_range_quantile(alpha, count), count), alpha, 1e-10);
@@ -36,7 +36,7 @@ TEST(StudentisedRange, IsItsOwnInverseForManyMethods) {
   }
 }
 
-TEST(StudentisedRange, IsACumulativeDistribution) {
+TEST(StudentisedRange, ProbabilityRunsFromZeroToOneAndRequiresTwoGroups) {
   EXPECT_EQ(studentised_range_probability(0, 5), 0);
   EXPECT_EQ(studentised_range_probability(-1, 5), 0);
   EXPECT_EQ(studentised_range_probability(std::numeric_limits<double>::infinity(), 5), 1);

@@ -11,8 +11,8 @@
 
 namespace shapegauge::test {
 
-/// Where the samples of a shape with a diagonal of 1 are raised to, for an offset of r, with the means that the grid
-/// with cells of r/3 has.
+/// Raised sample points of the offset SDF, for a shape with a diagonal of 1 and an offset of r: moved off the surface
+/// along the sample's normal and the mean normal (mean_normals.h), which a grid with cells of r/3 provides.
 class RaisedSamples {
  public:
   RaisedSamples(const Shape& shape, double r)
@@ -20,7 +20,8 @@ class RaisedSamples {
         surface_(grid_, shape, 0.75, false),
         means_(grid_, shape, surface_, false) {}
 
-  /// On either side of p; the distance is d, exactly.
+  /// Returns the raised points of the sample at p on either side of the surface: first along `normal`, then against it.
+  /// distance(x) must return the exact distance from x to the surface.
   template <typename Distance>
   [[nodiscard]] std::array<Eigen::Vector3d, 2> of(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
                                                   const Distance& distance) const {

@@ -16,17 +16,17 @@ function sampleBoard(count) {
   };
 }
 
-test('groups begin where the worst possible rank grows', () => {
+test('groups of methods begin where the worst possible rank grows', () => {
   // Nine, eight, seven and three, of which neighbours within 1.5 do not differ.
   assert.deepEqual(groupsOf([2, 3, 3, 4]), [{ first: 0, last: 1 }, { first: 1, last: 2 }, { first: 3, last: 3 }]);
   assert.deepEqual(groupsOf([3, 3, 3]), [{ first: 0, last: 2 }]);
 });
 
-test('letters go on after z', () => {
+test('group letters continue with two letters after z', () => {
   assert.deepEqual([0, 25, 26, 53, 701, 702].map(letterOf), ['a', 'z', 'aa', 'bb', 'zz', 'aaa']);
 });
 
-test('the ranking is that of the chosen measure and average, ties in the order of the methods', () => {
+test('leaderboard ranks methods by the chosen measure and average and keeps the order of ties', () => {
   const state = new LeaderboardState(sampleBoard(2));
   assert.equal(state.measure, 'mAP');
   assert.deepEqual(state.ranking, [0, 1]);
@@ -36,15 +36,15 @@ test('the ranking is that of the chosen measure and average, ties in the order o
   assert.deepEqual(state.ranking, [0, 1]);
 });
 
-test('groups over queries stand before those over classes', () => {
+test('group letters over queries precede those over classes', () => {
   assert.equal(new LeaderboardState(sampleBoard(2)).lettersOf(1), 'a B');
 });
 
-test('as many methods are shown to begin with as there are colours', () => {
+test('leaderboard initially shows as many methods as there are colours', () => {
   assert.deepEqual(new LeaderboardState(sampleBoard(9)).visibleMethods, [0, 1, 2, 3, 4, 5, 6]);
 });
 
-test('a warning stands once, with all methods that it is about', () => {
+test('a warning shared by methods is listed once with their names', () => {
   const methods = [{ name: 'a', warnings: ['x', 'y'] }, { name: 'b', warnings: ['x'] }];
   assert.deepEqual(remarksOf(methods), [{ warning: 'x', names: ['a', 'b'] }, { warning: 'y', names: ['a'] }]);
 });

@@ -24,7 +24,7 @@ function sampleReport() {
   };
 }
 
-test('a change draws what shows it, once, and nothing else', () => {
+test('a change of state redraws each view that depends on it once and no other', () => {
   const state = new ReportState(sampleReport());
   const drawn = [];
   state.show(['method', 'protocol'], () => drawn.push('both'));
@@ -36,13 +36,13 @@ test('a change draws what shows it, once, and nothing else', () => {
   assert.equal(state.protocolWords, 'protocol paper');
 });
 
-test('the first measure shown is FT; of a query mAP is AP', () => {
+test('the report initially shows FT and names mAP of a query AP', () => {
   const state = new ReportState(sampleReport());
   assert.equal(state.chosen.measure, 1);
   assert.deepEqual(state.queryValues(0), [['NN', 0], ['FT', 0.5], ['AP', 1]]);
 });
 
-test('hidden methods are not visible', () => {
+test('hidden methods are excluded from the visible methods', () => {
   const state = new ReportState(sampleReport());
   state.change({ hidden: new Set([0]) });
   assert.deepEqual(state.visibleMethods, [1]);
@@ -53,7 +53,7 @@ test('methods of one colour differ in their dashes', () => {
   assert.equal(new Set(looks).size, looks.length);
 });
 
-test('rows are sorted by numbers as numbers and by texts in natural order', () => {
+test('table rows are sorted numerically or in natural order of texts', () => {
   const rows = [{ id: 'T10', value: 9 }, { id: 'T9', value: 10 }, { id: 'T1', value: 9 }];
   const columns = [{ text: ({ id }) => id }, { text: ({ value }) => String(value), value: ({ value }) => value }];
   const ids = (column, ascending) => sortedRows(rows, columns, { column, ascending }).map(({ id }) => id);
@@ -63,20 +63,20 @@ test('rows are sorted by numbers as numbers and by texts in natural order', () =
   assert.equal(bestText(columns[1], rows.slice(0, 1)), null);
 });
 
-test('the axis of precision begins at the tenth below the lowest value', () => {
+test('the precision axis begins at the tenth below the lowest value', () => {
   assert.equal(lowestPrecision([[1, 0.57], [0.8, 0.62]], false), 0.5);
   assert.equal(lowestPrecision([[1, 0.57]], true), 0);
   assert.equal(lowestPrecision([[1, 1]], false), 0.9);
   assert.equal(lowestPrecision([], false), 0);
 });
 
-test('classes by value, lowest or highest first', () => {
+test('classes are sorted by value in ascending or descending order', () => {
   assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 0), [0, 1, 2]);
   assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 1), [2, 0, 1]);
   assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 2), [1, 0, 2]);
 });
 
-test('confusions are counted, most frequent first', () => {
+test('confusions between classes are counted and sorted by frequency', () => {
   const { totals, wrong } = countConfusions([[[0, 3], [1, 1]], [[0, 2], [2, 2]], [[1, 2], [2, 2]], []]);
   assert.deepEqual(totals, [4, 4, 4, 0]);
   assert.deepEqual(wrong, [
@@ -85,14 +85,14 @@ test('confusions are counted, most frequent first', () => {
   ]);
 });
 
-test('an interval is that of the average and measure that are shown', () => {
+test('the confidence interval shown is that of the chosen average and measure', () => {
   const intervals = { confidence: 0.95, micro: [[0.1, 0.2], [0.3, 0.4]], macro: [[0.5, 0.6], [0.7, 0.8]] };
   assert.deepEqual(intervalOf({ intervals }, 'macro', 1), [0.7, 0.8]);
   assert.equal(intervalOf({}, 'micro', 0), null);
   assert.equal(intervalOf({ intervals: null }, 'micro', 0), null);
 });
 
-test('the gallery is narrowed by words of ids and classes, and by class', () => {
+test('the gallery filters models by words of ids and classes and by class', () => {
   const report = sampleReport();
   assert.deepEqual(filteredModels(report, { text: '', label: -1 }),
     [{ label: 0, models: [0, 2] }, { label: 1, models: [1] }]);
@@ -101,7 +101,7 @@ test('the gallery is narrowed by words of ids and classes, and by class', () => 
   assert.deepEqual(filteredModels(report, { text: 't3', label: 1 }), []);
 });
 
-test('a method that is others side by side has their histograms', () => {
+test('a concatenated method shows the histograms of its inputs', () => {
   const methods = [{ histograms: {}, parts: [] }, { histograms: {}, parts: [] }, { histograms: null, parts: [0, 1] },
     { histograms: null, parts: [2, 0] }, { histograms: null, parts: [] }];
   assert.deepEqual(histogramMethods(methods, 1), [1]);
@@ -109,13 +109,13 @@ test('a method that is others side by side has their histograms', () => {
   assert.deepEqual(histogramMethods(methods, 4), []);
 });
 
-test('the queries that change most come first, without those that do not change', () => {
+test('changed queries are sorted by the size of the change and unchanged ones omitted', () => {
   const values = [[0, 0.5], [1, 0.2], [0, 0.9], [1, 0.4]];
   const others = [[1, 0.6], [0, 0.2], [1, 0.4], [0, 0.5]];
   assert.deepEqual(mostChanged(values, others, 1), [2, 0, 3]);
 });
 
-test('an address chooses by words, and nothing that is not there', () => {
+test('the page address selects existing methods, protocols and averages and ignores unknown ones', () => {
   const state = new ReportState(sampleReport());
   const asked = { method: 'b', protocol: 'paper', measure: 'no such one', average: 'classes' };
   assert.deepEqual(chosenBy((key) => asked[key], state, Object.keys(asked)),
@@ -123,7 +123,7 @@ test('an address chooses by words, and nothing that is not there', () => {
   assert.deepEqual(chosenBy(() => null, state, Object.keys(asked)), {});
 });
 
-test('models have their places on the map by the order of classes', () => {
+test('the map places models in class order and omits models without a position', () => {
   const placed = placedModels([[0, 1], [2, 3], [null, null]], [0, 2, 1]);
   assert.deepEqual(placed, [{ model: 0, x: 0, y: 1 }, { model: 2, x: 2, y: 3 }]);
   assert.deepEqual(classMiddles(placed, [0, 1, 0]), [{ label: 0, x: 1, y: 2 }]);

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(CoarseShape, LooksLikeTheShapeWithFewFaces) {
+TEST(CoarseShape, KeepsAreaAndVolumeWithFewFaces) {
   for (const Eigen::Index faces : {200, 800}) {
     const Shape torus = test::torus(1, 0.3, 200, 80);
     const Shape coarse = coarse_shape(torus, faces);
@@ -25,7 +25,7 @@ TEST(CoarseShape, LooksLikeTheShapeWithFewFaces) {
   }
 }
 
-TEST(CoarseShape, SimplifiesSoups) {
+TEST(CoarseShape, SimplifiesTriangleSoups) {
   const Shape soup = test::soup(test::sphere(1, 5));
   const Shape coarse = coarse_shape(soup, 300);
   EXPECT_LE(coarse.triangles.rows(), 300);
@@ -34,7 +34,7 @@ TEST(CoarseShape, SimplifiesSoups) {
 }
 
 /// Triangles that have nothing to do with each other, which no edge collapse makes fewer.
-TEST(CoarseShape, StaysWithinItsLimit) {
+TEST(CoarseShape, HasAtMostTheRequestedFaces) {
   Shape scattered{.vertices = 10 * Points::Random(3000, 3), .triangles = Triangles(1000, 3)};
   for (std::int32_t f = 0; f < 1000; ++f) scattered.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
   const Shape coarse = coarse_shape(scattered, 200);
@@ -43,7 +43,7 @@ TEST(CoarseShape, StaysWithinItsLimit) {
 }
 
 /// Needles, each in one column of any grid: merging their vertices leaves none.
-TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
+TEST(CoarseShape, KeepsTheLargestFacesIfNoGridKeepsAny) {
   constexpr std::int32_t count = 1000;
   Shape needles{.vertices = Points(3 * count, 3), .triangles = Triangles(count, 3)};
   for (std::int32_t f = 0; f < count; ++f) {
@@ -58,12 +58,12 @@ TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
   EXPECT_TRUE(std::ranges::is_sorted(coarse.triangles.col(0)));
 }
 
-TEST(CoarseShape, KeepsSmallShapes) {
+TEST(CoarseShape, KeepsShapesBelowTheLimit) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(coarse_shape(sphere, sphere.triangles.rows()).triangles, sphere.triangles);
 }
 
-TEST(CoarseShape, KeepsSomePointsOfACloud) {
+TEST(CoarseShape, KeepsASubsetOfThePointsOfACloud) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 2000, 1);
   const Shape coarse = coarse_shape(cloud, 300);
   ASSERT_EQ(coarse.vertices.rows(), 300);
@@ -72,11 +72,11 @@ TEST(CoarseShape, KeepsSomePointsOfACloud) {
   for (const auto& point : coarse.vertices.rowwise()) EXPECT_TRUE(points.contains({point[0], point[1], point[2]}));
 }
 
-TEST(CarriedValues, AConstantStaysAndALinearFieldHardlyChanges) {
+TEST(ResampledValues, KeepConstantsAndHardlyChangeALinearField) {
   const Shape fine = test::sphere(1, 5);
   const Samples from = sample_shape(fine, SampleSite::faces);
   const Samples to = sample_shape(coarse_shape(fine, 500), SampleSite::vertices);
-  const CarriedValues carried(from, to);
+  const ValueTransfer carried(from, to);
   const Eigen::VectorXd constant = carried.means(Eigen::VectorXd::Constant(from.points.rows(), 0.7));
   EXPECT_NEAR((constant.array() - 0.7).abs().maxCoeff(), 0, 1e-12);
   // Faces of about 0.16: means are of places within about that.
@@ -85,36 +85,36 @@ TEST(CarriedValues, AConstantStaysAndALinearFieldHardlyChanges) {
   EXPECT_GT((directions.array() * to.points.array()).rowwise().sum().minCoeff(), 0.97) << "normals of a sphere";
 }
 
-TEST(CarriedValues, CountByArea) {
+TEST(ResampledValues, AreMeansWeightedByArea) {
   Samples from;
   from.points = Points{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {10, 0, 0}};
   from.normals = Points{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   from.weights = Eigen::Vector4d(1, 1, 3, 1);
   Samples to = from;
   to.points.col(0) << 0, 10, 20, 30;
-  const CarriedValues carried(from, to);
+  const ValueTransfer carried(from, to);
   EXPECT_DOUBLE_EQ(carried.means(Eigen::Vector4d(1, 2, 4, 0))[0], (1 + 2 + 3 * 4) / 5.0);
   EXPECT_EQ(carried.labels({7, 7, 9, 0})[0], 9);
 }
 
-TEST(CarriedValues, TheTwoSidesOfASheetStayApart) {
+TEST(ResampledValues, KeepTheTwoSidesOfASheetSeparate) {
   const Shape sheet = test::box({1, 1, 1e-4}, 12);
   const Samples places = sample_shape(sheet, SampleSite::faces);
   const Eigen::VectorXd side = places.normals.col(2);
   const Shape shifted =
       test::transformed(sheet, 1, Eigen::Matrix3d::Identity(), {0.02, 0.01, 8e-5});  // nearer to the other side
   const Samples others = sample_shape(shifted, SampleSite::faces);
-  const Eigen::VectorXd carried = CarriedValues(places, others).means(side);
+  const Eigen::VectorXd carried = ValueTransfer(places, others).means(side);
   for (Eigen::Index i = 0; i < carried.size(); ++i) {
     if (others.points.row(i).cwiseAbs().maxCoeff() > 0.4) continue;  // the rim is near
     EXPECT_NEAR(carried[i], others.normals(i, 2), 1e-12) << i;
   }
 }
 
-TEST(CarriedValues, MissingValuesAreIgnoredUnlessAllAreMissing) {
+TEST(ResampledValues, IgnoreMissingValuesUnlessAllValuesAreMissing) {
   const Samples from = sample_shape(test::sphere(1, 4), SampleSite::faces);
   const Samples to = sample_shape(test::sphere(1, 1), SampleSite::faces);
-  const CarriedValues carried(from, to);
+  const ValueTransfer carried(from, to);
   Eigen::VectorXd values = Eigen::VectorXd::Constant(from.points.rows(), 3);
   for (Eigen::Index i = 0; i < values.size(); i += 2) values[i] = std::nan("");
   EXPECT_NEAR((carried.means(values).array() - 3).abs().maxCoeff(), 0, 1e-12);
@@ -122,7 +122,7 @@ TEST(CarriedValues, MissingValuesAreIgnoredUnlessAllAreMissing) {
   EXPECT_TRUE(carried.means(values).array().isNaN().all());
 }
 
-TEST(CoarseView, KeepsPartsAndValuesOfEachBall) {
+TEST(CoarseView, KeepsPartsAndValuesOfSeparateBalls) {
   const ShapeView fine = test_view::balls();
   const Samples samples = sample_shape(fine.shape, fine.site);
   const ShapeView coarse = coarse_view(fine, samples, 400);

@@ -19,7 +19,7 @@ Eigen::MatrixXd distances_between(const Eigen::MatrixX2d& points) {
   return distances;
 }
 
-TEST(PlaneEmbedding, RestoresPointsOfThePlaneUpToMotion) {
+TEST(PlaneEmbedding, RestoresPointsInAPlaneUpToRigidMotion) {
   const Eigen::MatrixX2d points{{0, 0}, {5, 1}, {2, 3}, {-1, 4}, {7, -2}, {3, 3}};
   const Eigen::MatrixXd distances = distances_between(points);
   const Eigen::MatrixX2d places = plane_embedding(distances);
@@ -31,7 +31,7 @@ TEST(PlaneEmbedding, RestoresPointsOfThePlaneUpToMotion) {
   }
 }
 
-TEST(PlaneEmbedding, ModelsWithoutDistancesHaveNoPosition) {
+TEST(PlaneEmbedding, GivesModelsWithoutDistancesNoPosition) {
   const Eigen::MatrixX2d points{{0, 0}, {4, 0}, {0, 3}};
   Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(4, 4, infinity);
   distances.topLeftCorner(3, 3) = distances_between(points);

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Base64, AsInTheRfc) {
+TEST(Base64, MatchesTheExamplesOfRfc4648) {
   // RFC 4648, section 10.
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
@@ -25,13 +25,13 @@ TEST(Base64, AsInTheRfc) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Base64, ALongTextIsEncodedInOnePiece) {
+TEST(Base64, EncodesALongTextWithoutPaddingInside) {
   const std::string text = base64(std::string(7 << 20, '\0'));
   EXPECT_EQ(text.size(), 4U * (((7 << 20) + 2) / 3));
   EXPECT_EQ(text.find('='), text.size() - 2);
 }
 
-TEST(Rounded, KeepsTheLeadingDigits) {
+TEST(RoundToDigits, KeepsTheLeadingDigits) {
   EXPECT_EQ(rounded_to_digits(0.123456789, 3), 0.123);
   EXPECT_EQ(rounded_to_digits(98765.4321, 3), 98800);
   EXPECT_TRUE(std::isinf(rounded_to_digits(std::numeric_limits<double>::infinity(), 3)));
@@ -47,12 +47,12 @@ TEST(ScriptData, EscapesTheEndOfTheScript) {
   EXPECT_EQ(nlohmann::ordered_json::parse(script_data({{"bytes", "\xff"}}))["bytes"], R"(\xFF)");
 }
 
-TEST(FilledPage, DoesNotFillPlaceholdersInInsertedText) {
+TEST(PageTemplate, DoesNotFillPlaceholdersInInsertedText) {
   const std::array<std::pair<std::string_view, std::string_view>, 2> marks{{{"{{a}}", "[{{b}}]"}, {"{{b}}", "{{a}}"}}};
-  EXPECT_EQ(filled_page("x{{a}}y{{b}}z", marks), "x[{{b}}]y{{a}}z");
+  EXPECT_EQ(fill_placeholders("x{{a}}y{{b}}z", marks), "x[{{b}}]y{{a}}z");
 }
 
-TEST(PageFiles, NameTheLibrariesLicences) {
+TEST(PageFiles, NameTheLicencesOfLibraries) {
   EXPECT_THAT(std::string(page_files::chart_library()), HasSubstr("Copyright 2010-2020 Mike Bostock"));
   EXPECT_THAT(std::string(page_files::shape_library()), HasSubstr("Copyright 2010-2017 three.js authors"));
   for (const std::string_view library : {page_files::chart_library(), page_files::shape_library()}) {

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(LeaderboardPage, EscapesNames) {
+TEST(LeaderboardPage, EscapesMarkupInNames) {
   const std::string page = leaderboard_page(test_leaderboard::sample_leaderboard().page);
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
@@ -21,9 +21,9 @@ TEST(LeaderboardPage, EscapesNames) {
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-TEST(LeaderboardPage, HasTheStandingsOfEveryMethodAndMeasure) {
+TEST(LeaderboardPage, ContainsTheStandingsOfEveryMethodAndMeasure) {
   const LeaderboardPage& sample = test_leaderboard::sample_leaderboard().page;
-  const auto board = test::data_in(leaderboard_page(sample));
+  const auto board = test::json_of_page(leaderboard_page(sample));
   ASSERT_EQ(board["methods"].size(), sample.entries.size());
   ASSERT_EQ(board["micro"].size(), sample.micro.size());
   const MethodStanding& third = sample.macro[2][3];

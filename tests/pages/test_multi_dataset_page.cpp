@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(MultiDatasetPage, EscapesNames) {
+TEST(MultiDatasetPage, EscapesMarkupInNames) {
   const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset());
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
@@ -22,9 +22,9 @@ TEST(MultiDatasetPage, EscapesNames) {
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
+TEST(MultiDatasetPage, ContainsValuesRanksAndGroupsOfEachTable) {
   const MultiDatasetPage& sample = test_multi_dataset::sample_multi_dataset();
-  const auto json = test::data_in(multi_dataset_page(sample));
+  const auto json = test::json_of_page(multi_dataset_page(sample));
   ASSERT_EQ(json["tables"].size(), 8U);
   const auto& table = json["tables"][5];
   EXPECT_EQ(table["average"], "micro");
@@ -36,7 +36,7 @@ TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
   EXPECT_EQ(json["failures"][0][1], "no such folder </script>");
 }
 
-TEST(MultiDatasetPage, HasNoCriticalDifferenceOfOneDataSet) {
+TEST(MultiDatasetPage, OmitsTheCriticalDifferenceForOneDataSet) {
   const Eigen::MatrixXd values{{1, 0}};
   const MultiDatasetPage one{.title = "one",
                              .description = {},

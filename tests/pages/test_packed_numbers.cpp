@@ -15,12 +15,12 @@ std::string bytes_in_order(const std::vector<int>& numbers) {
   return base64(bytes);
 }
 
-TEST(PackedShorts, AreLittleEndian) {
+TEST(PackedShorts, AreWrittenInLittleEndianOrder) {
   EXPECT_EQ(packed_shorts({0, 1, 258, 65535}), bytes_in_order({0, 0, 1, 0, 2, 1, 255, 255}));
   EXPECT_EQ(packed_shorts({}), "");
 }
 
-TEST(PackedValues, AreLevelsOfTheRange) {
+TEST(PackedValues, AreSixteenBitLevelsOfTheRange) {
   const double infinity = std::numeric_limits<double>::infinity();
   // Level 65,534 is 0xfffe, its half 0x7fff; 0xffff is a missing value.
   EXPECT_EQ(packed_values(Eigen::VectorXd{{2, 4, 3, 1, std::nan(""), infinity}}, 2, 2),

@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(PageConstants, MatchTheScripts) {
+TEST(PageConstants, EqualTheConstantsOfThePageScripts) {
   EXPECT_EQ(read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/pages/common/constants.mjs"), page_constants_script())
       << "to write the file anew, build the target update_page_constants";
 }

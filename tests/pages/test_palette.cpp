@@ -17,7 +17,7 @@ std::set<std::string> properties(const std::string& rule) {
   return {std::sregex_token_iterator(rule.begin(), rule.end(), property), std::sregex_token_iterator()};
 }
 
-TEST(Palette, ThemesHaveTheSameProperties) {
+TEST(PagePalette, ThemesHaveTheSameProperties) {
   const std::string style = palette_style();
   const std::size_t dark = style.find(":root[data-theme=\"dark\"]");
   const std::size_t system = style.find("@media (prefers-color-scheme: dark)");
@@ -43,7 +43,7 @@ double contrast(const std::string& style, const std::string& first, const std::s
   return std::max(ratio, 1 / ratio);
 }
 
-TEST(Palette, HasSufficientContrast) {
+TEST(PagePalette, HasSufficientContrast) {
   const std::string style = palette_style();
   const std::string dark = style.substr(style.find(":root[data-theme=\"dark\"]"));
   for (const std::string& theme : {style, dark}) {
@@ -55,7 +55,7 @@ TEST(Palette, HasSufficientContrast) {
   }
 }
 
-TEST(Palette, ShadesOfTheAccentAreOfItsColour) {
+TEST(PagePalette, AccentShadesMatchTheAccentColour) {
   const std::string style = palette_style();
   static const std::regex accents("--accent: #(..)(..)(..);[^}]*--accent-channels: (\\d+), (\\d+), (\\d+);");
   int themes = 0;

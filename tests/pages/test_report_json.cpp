@@ -16,7 +16,7 @@ namespace {
 using testing::Contains;
 using testing::Not;
 
-TEST(PackedValues, TwoBytesEachOfTheLargest) {
+TEST(PackedNumbers, AreSixteenBitFractionsOfTheLargest) {
   const double infinity = std::numeric_limits<double>::infinity();
   const nlohmann::ordered_json json = packed_numbers(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
   EXPECT_EQ(json["scale"], 3);
@@ -24,12 +24,12 @@ TEST(PackedValues, TwoBytesEachOfTheLargest) {
   EXPECT_EQ(json["values"], base64(std::string("\0\0\xfe\xff\xff\x7f\xff\xff\xff\xff\0\0", 12)));
 }
 
-TEST(PackedValues, AllZeroOrNothing) {
+TEST(PackedNumbers, OfZerosHaveScaleOneAndOfNoNumbersAreEmpty) {
   EXPECT_EQ(packed_numbers(Eigen::VectorXd{{0, 0}})["scale"], 1);
   EXPECT_EQ(packed_numbers(Eigen::VectorXd(0))["values"], "");
 }
 
-TEST(HeatMap, SymmetricMatrixHasTheUpperHalfInTheOrderOfClasses) {
+TEST(HeatMap, OfASymmetricMatrixContainsTheUpperHalfInClassOrder) {
   // Models 1 and 2 are of the first class, 0 of the second.
   const DistanceMatrix distances{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{1, 0, 0}));
@@ -40,15 +40,15 @@ TEST(HeatMap, SymmetricMatrixHasTheUpperHalfInTheOrderOfClasses) {
   EXPECT_EQ(json["scale"], 4);
 }
 
-TEST(HeatMap, AsymmetricMatrixHasAllCells) {
+TEST(HeatMap, OfAnAsymmetricMatrixContainsAllCells) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
   EXPECT_EQ(json["values"], packed_numbers(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
 }
 
-TEST(HeatMap, ManyModelsAreMeansOfBlocks) {
-  const Eigen::Index models = 2 * largest_heat_map + 1;
+TEST(HeatMap, OfManyModelsContainsMeansOfBlocks) {
+  const Eigen::Index models = 2 * max_heat_map_side + 1;
   DistanceMatrix distances = DistanceMatrix::Constant(models, models, 6);
   distances.diagonal().setConstant(1e9);
   const auto json = heat_map(overview_of(distances, std::vector<int>(static_cast<std::size_t>(models), 0)));
@@ -61,7 +61,7 @@ TEST(HeatMap, ManyModelsAreMeansOfBlocks) {
   EXPECT_EQ(json["values"].get<std::string>().substr(0, 4), base64(std::string("\xa9\xaa\xfe", 3)));
 }
 
-TEST(ReportJson, ContainsTheScores) {
+TEST(ReportJson, ContainsTheScoresOfEachMethod) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto json = report_json(sample.report);
   ASSERT_EQ(json["methods"].size(), 3U);
@@ -77,7 +77,7 @@ TEST(ReportJson, ContainsTheScores) {
   EXPECT_EQ(json["methods"][0]["evaluations"][1]["protocol"], "paper");
 }
 
-TEST(ReportJson, TheNearestModelsAreInTheirOrder) {
+TEST(ReportJson, ListsNearestModelsByDistance) {
   const test_report::SampleReport& sample = test_report::plain_report();
   const auto nearest = report_json(sample.report)["methods"][0]["nearest"];
   ASSERT_EQ(nearest["models"].size(), sample.report.ids.size());
@@ -91,7 +91,7 @@ TEST(ReportJson, TheNearestModelsAreInTheirOrder) {
   }
 }
 
-TEST(ReportJson, LargeDataSetsListNeighboursOfTheWorstQueriesOnly) {
+TEST(ReportJson, ListsNeighboursOfOnlyTheWorstQueriesForLargeDataSets) {
   const auto models = static_cast<Eigen::Index>(max_models_with_neighbours + 1);
   DistanceMatrix distances(models, models);
   std::vector<int> labels;
@@ -118,7 +118,7 @@ TEST(ReportJson, LargeDataSetsListNeighboursOfTheWorstQueriesOnly) {
   EXPECT_EQ(method["heat_map"]["block"], 3);
 }
 
-TEST(ReportJson, LeavesOutInfiniteDistancesAndListsTheWorstByAveragePrecision) {
+TEST(ReportJson, ExcludesInfiniteDistancesAndListsTheWorstQueriesByAveragePrecision) {
   const double infinity = std::numeric_limits<double>::infinity();
   const DistanceMatrix distances{
       {0, 1, 2, infinity}, {1, 0, 3, infinity}, {2, 3, 0, infinity}, {infinity, infinity, infinity, 0}};
@@ -142,7 +142,7 @@ TEST(ReportJson, LeavesOutInfiniteDistancesAndListsTheWorstByAveragePrecision) {
   EXPECT_EQ(method["evaluations"][0]["worst"].dump(), "[3,2,0,1]") << "of 3 nothing is found, of 2 at rank 3";
 }
 
-TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
+TEST(ReportJson, ContainsTheHistogramsOfAMethodOrOfItsInputs) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto methods = report_json(sample.report)["methods"];
   EXPECT_EQ(methods[0]["histograms"]["bins"], 20);
@@ -151,7 +151,7 @@ TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
   EXPECT_EQ(methods[2]["parts"], (std::vector{0, 1}));
 }
 
-TEST(ReportJson, ContainsIntervalsSettingsAndLeaks) {
+TEST(ReportJson, ContainsIntervalsSettingsAndModelsWithUnclosedGaps) {
   const Report& report = test_report::hostile_report().report;
   const auto json = report_json(report);
   const auto& method = json["methods"][1];
@@ -169,14 +169,14 @@ TEST(ReportJson, ContainsIntervalsSettingsAndLeaks) {
   EXPECT_FALSE(report_json(test_report::plain_report().report)["methods"][0]["evaluations"][0].contains("intervals"));
 }
 
-TEST(ReportJson, PicturesAreOptional) {
+TEST(ReportJson, ContainsPicturesIfThereAreAny) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto pictures = report_json(sample.report)["pictures"];
   EXPECT_EQ(pictures["png"][7], base64(sample.report.pictures.png[7]));
   EXPECT_TRUE(report_json(test_report::plain_report().report)["pictures"].is_null());
 }
 
-TEST(ReportJson, ViewsAreOptional) {
+TEST(ReportJson, ContainsViewsIfThereAreAny) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto views = report_json(sample.report)["views"];
   ASSERT_EQ(views["shapes"].size(), sample.report.ids.size());

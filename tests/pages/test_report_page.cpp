@@ -12,12 +12,12 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ReportPage, EscapesNames) {
+TEST(ReportPage, EscapesMarkupInNames) {
   const std::string page = report_page(test_report::hostile_report().report);
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
   EXPECT_THAT(page, HasSubstr("<title>&lt;/title&gt;&lt;/script&gt;"));
-  const auto data = test::data_in(page);
+  const auto data = test::json_of_page(page);
   const Report& report = test_report::hostile_report().report;
   EXPECT_EQ(data["title"], report.title);
   EXPECT_EQ(data["description"], report.description);

@@ -14,9 +14,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(SearchPage, HasEachShapeOnceAndTheAnswers) {
+TEST(SearchPage, ContainsEachShapeOnceAndAllResults) {
   const SearchPage page = test_view::sample_search();
-  const nlohmann::ordered_json data = test::data_in(search_page(page));
+  const nlohmann::ordered_json data = test::json_of_page(search_page(page));
   ASSERT_EQ(data["shapes"].size(), 5U);
   EXPECT_EQ(data["shapes"][0]["name"], "query </script>.off");
   EXPECT_EQ(data["shapes"][1]["vertices"], shape_view_json(*page.shapes[1].view)["vertices"]);
@@ -27,7 +27,7 @@ TEST(SearchPage, HasEachShapeOnceAndTheAnswers) {
   EXPECT_EQ(data["facts"][0], "2 queries");
 }
 
-TEST(SearchPage, EscapesNames) {
+TEST(SearchPage, EscapesMarkupInNames) {
   const std::string page = search_page(test_view::sample_search());
   EXPECT_THAT(page, HasSubstr("<title>&lt;b&gt;title&lt;/b&gt; {{script}}"));
   EXPECT_THAT(page, Not(HasSubstr("query </script>")));

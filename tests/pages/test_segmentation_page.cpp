@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(SegmentationPage, ShowsNamesAsText) {
+TEST(SegmentationPage, EscapesMarkupInNames) {
   const std::string html = segmentation_page(test_segmentation::sample_page());
   EXPECT_THAT(html, HasSubstr("<h1>&lt;b&gt;title&lt;/b&gt; {{data}}</h1>"));
   for (const char* word : {"<b>title", "line 3: <nothing>", " href=\"http", "@import"}) {
@@ -23,9 +23,9 @@ TEST(SegmentationPage, ShowsNamesAsText) {
   }
 }
 
-TEST(SegmentationPage, HasErrorsByClassPicturesAndViews) {
+TEST(SegmentationPage, ContainsErrorsPerClassPicturesAndViews) {
   const SegmentationPage page = test_segmentation::sample_page();
-  const auto data = test::data_in(segmentation_page(page));
+  const auto data = test::json_of_page(segmentation_page(page));
   EXPECT_EQ(data["errors"]["methods"], page.errors->methods);
   EXPECT_TRUE(data["errors"]["by_class"][1][1].is_null());
   EXPECT_EQ(data["errors"]["by_class"][1][0], 0.4);
@@ -36,10 +36,10 @@ TEST(SegmentationPage, HasErrorsByClassPicturesAndViews) {
   EXPECT_EQ(data["typical"], (nlohmann::ordered_json{1}));
 }
 
-TEST(SegmentationPage, WithoutReferencesHasNoErrors) {
+TEST(SegmentationPage, OmitsErrorsWithoutReferenceSegmentations) {
   SegmentationPage page = test_segmentation::sample_page();
   page.errors.reset();
-  EXPECT_TRUE(test::data_in(segmentation_page(page))["errors"].is_null());
+  EXPECT_TRUE(test::json_of_page(segmentation_page(page))["errors"].is_null());
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(ShapeViewJson, KeepsTheOrderOfTrianglesAndRoundsCoordinates) {
   }
 }
 
-TEST(ShapeViewJson, UnusedVerticesAreLeftOutWithTheirValues) {
+TEST(ShapeViewJson, OmitsUnusedVerticesAndTheirValues) {
   Shape mesh{.vertices = Points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {5, 5, 5}, {0, 1, 0}},
              .triangles = Triangles{{4, 1, 2}}};
   ShapeView view{.name = "", .shape = mesh, .site = SampleSite::vertices};
@@ -105,7 +105,7 @@ TEST(ShapeViewJson, UnusedVerticesAreLeftOutWithTheirValues) {
   EXPECT_THAT(shorts_of(json["fields"][0]["values"]), ElementsAre(65534, 0, 32767));
 }
 
-TEST(ShapeViewJson, MissingValuesHaveALevelOfTheirOwn) {
+TEST(ShapeViewJson, EncodesMissingValuesAsASeparateLevel) {
   ShapeView view = test_view::balls();
   view.fields.resize(1);
   view.fields[0].values[3] = std::nan("");
@@ -120,7 +120,7 @@ TEST(ShapeViewJson, MissingValuesHaveALevelOfTheirOwn) {
   EXPECT_EQ(field["high"], 2);
 }
 
-TEST(ShapeViewJson, InitialViewMatchesPictures) {
+TEST(ShapeViewJson, HasTheInitialViewOfPictures) {
   ShapeView view = test_view::balls();
   view.up = {0, -1, 0};
   const Json axes = shape_view_json(view)["axes"];
@@ -135,7 +135,7 @@ TEST(ShapeViewJson, InitialViewMatchesPictures) {
   EXPECT_GT(rows.row(1).dot(look.up), 0);
 }
 
-TEST(ShapeViewJson, PartsAndNormalsAreOptional) {
+TEST(ShapeViewJson, ContainsPartsAndNormalsIfThereAreAny) {
   const ShapeView view = test_view::balls();
   const Json json = shape_view_json(view);
   const std::vector<int> parts = shorts_of(json["parts"][0]["values"]);
@@ -157,7 +157,7 @@ TEST(ShapeViewJson, PartsAndNormalsAreOptional) {
   EXPECT_FALSE(bare.contains("parts") || bare.contains("directions") || bare.contains("radii"));
 }
 
-TEST(ShapeViewJson, ACloudIsItsPointsWithHexagonsAsPicturesHaveThem) {
+TEST(ShapeViewJson, GivesCloudPointsTheHexagonsOfPictures) {
   const ShapeView view = test_view::cloud();
   const Json json = shape_view_json(view);
   EXPECT_FALSE(json.contains("triangles"));
@@ -177,7 +177,7 @@ TEST(ShapeViewJson, RejectsShapesWithoutExtent) {
       InputError);
 }
 
-TEST(CentralRange, ExcludesTwoPercentOfTheAreaAtEachEnd) {
+TEST(CentralValueRange, ExcludesTwoPercentOfTheAreaAtEachEnd) {
   ScalarField field{.values = Eigen::VectorXd::LinSpaced(101, 0, 100), .weights = Eigen::VectorXd::Ones(101)};
   field.values[50] = std::nan("");
   const Interval range = central_range(field).value();
@@ -203,12 +203,12 @@ TEST(ShapeViewPicture, IsSquareWithATransparentBackground) {
   EXPECT_GT(dark, 10);
 }
 
-TEST(ViewPage, EscapesNames) {
+TEST(ViewPage, EscapesMarkupInNames) {
   const std::string html = view_page(test_view::page());
   EXPECT_EQ(test::occurrences(html, "</script>"), 3U) << "the libraries, the data, the scripts";
   EXPECT_THAT(html, HasSubstr("<title>Balls &amp; &lt;clouds&gt; "));
   EXPECT_THAT(html, Not(HasSubstr("<b>balls")));
-  const auto data = test::data_in(html);
+  const auto data = test::json_of_page(html);
   EXPECT_EQ(data["shapes"][0]["name"], test_view::balls().name);
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }
@@ -222,7 +222,7 @@ TEST(ViewPage, LoadsNoResourcesAndFillsEveryPlaceholder) {
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
 }
 
-TEST(ViewPage, TheSameBytesForAnyNumberOfThreads) {
+TEST(ViewPage, IsTheSameOnAnyNumberOfThreads) {
   const std::string html = view_page(test_view::page());
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_TRUE(view_page(test_view::page()) == html);

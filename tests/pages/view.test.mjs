@@ -20,7 +20,7 @@ const sample = JSON.parse(readFileSync(join(process.env.SHAPEGAUGE_SAMPLE_VIEWS,
 const length = (a) => Math.sqrt(dot(a, a));
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 
-test('corners by their distance from the next unused vertex', () => {
+test('triangle corners are decoded from distances to the next unused vertex', () => {
   // Triangles 0 1 2 and 2 1 3: new, new, new, one back of three, two back, new.
   assert.deepEqual([...cornersOf(Buffer.from([0, 0, 0, 1, 2, 0]).toString('base64'), 6)], [0, 1, 2, 2, 1, 3]);
   // Two bytes: 200 new vertices, and the first again.
@@ -28,7 +28,7 @@ test('corners by their distance from the next unused vertex', () => {
   assert.equal(cornersOf(Buffer.from(bytes).toString('base64'), 201)[200], 0);
 });
 
-test('a scale that is set is not shared, and keeps its logarithm and threshold', () => {
+test('a scale set by the user is not shared and keeps its logarithm and threshold', () => {
   const field = { name: 'a', from: 1, to: 100, low: 0.5, high: 200, set: true, log: true, below: 2 };
   const [channel] = channelsOf([{ fields: [field], parts: [] }]);
   const other = { fields: [{ name: 'a', from: 0, to: 9, low: 0, high: 9 }] };
@@ -39,7 +39,7 @@ test('a scale that is set is not shared, and keeps its logarithm and threshold',
   scaleTicks({ from: 1, to: 16, log: true }).forEach((tick, k) => near(tick, 2 ** k, 1e-9));
 });
 
-test('a cloud has the hexagons of splats()', () => {
+test('a cloud is drawn with the hexagons of the library', () => {
   const { places, positions, radius, site } = unpackShape(sample.cloud);
   const corners = trianglesPerSplat + 2;
   assert.equal(site, 'point');
@@ -61,7 +61,7 @@ test('a cloud has the hexagons of splats()', () => {
   }
 });
 
-test('a mesh has the area of each face and its values', () => {
+test('an unpacked mesh has the area, normal and values of each face', () => {
   const shape = unpackShape(sample.balls);
   const corners = Array.from({ length: shape.positions.length / 3 }, (_, i) => vectorAt(shape.positions, 3 * i));
   near(Math.max(...corners.map(length)), 1, 1e-6);
@@ -85,7 +85,7 @@ function roof(degrees) {
   };
 }
 
-test('edges are shaded smoothly up to an angle, and triangles by themselves beyond', () => {
+test('shading is smooth across edges below an angle and flat beyond', () => {
   const bent = (degrees) => {
     const surface = roof(degrees);
     const normals = cornerNormals({ ...surface, ...measureTriangles(surface) });
@@ -95,17 +95,17 @@ test('edges are shaded smoothly up to an angle, and triangles by themselves beyo
   near(bent(90), Math.PI / 2, 1e-3);
 });
 
-test('parts of a surface have their shares of the area', () => {
+test('triangles are weighted by their fraction of the area', () => {
   const { weights } = measureTriangles(roof(0));
   assert.deepEqual([...weights], [0.5, 0.5]);
 });
 
-test('bins hold the area of their values; beyond the ends is the first or last', () => {
+test('histogram bins sum the area of values and outer bins include values beyond the range', () => {
   assert.deepEqual(binShares([0, 0.4, 1, NaN, 5], [0.1, 0.2, 0.3, 0.3, 0.1], 0, 1, 2), [0.1 + 0.2, 0.3 + 0.1]);
   assert.deepEqual(binShares([2, 2], [0.5, 0.5], 2, 2, 3), [1, 0, 0]);
 });
 
-test('keys move and widen the selected bins', () => {
+test('arrow keys move and extend the selected histogram bins', () => {
   const right = { key: 'ArrowRight' };
   assert.deepEqual(selectionAfter(null, right, 4), [0, 0]);
   assert.deepEqual(selectionAfter(null, { key: 'ArrowLeft' }, 4), [3, 3]);
@@ -117,7 +117,7 @@ test('keys move and widen the selected bins', () => {
   assert.equal(selectionAfter(null, { key: 'a' }, 4), undefined);
 });
 
-test('shapes share a scale, have their own, or one that is given', () => {
+test('shapes use a common scale, their own or the given one', () => {
   const field = (k) => ({ name: 'f', from: k, to: k + 1, low: k - 1, high: k + 2, values: [] });
   const shapes = [0, 1].map((k) => ({ fields: [field(k)], parts: [] }));
   const [channel, nothing] = channelsOf(shapes);
@@ -129,7 +129,7 @@ test('shapes share a scale, have their own, or one that is given', () => {
   assert.deepEqual(shownBy(nothing, shapes[0], null), { kind: 'plain' });
 });
 
-test('a view lists what its shapes have', () => {
+test('a view lists the fields, parts and normals of its shapes', () => {
   const shapes = [sample.balls, sample.cloud].map(unpackShape);
   assert.deepEqual(channelsOf(shapes).map(({ name }) => name), ['thickness', 'height', 'Parts', 'Normals', 'Nothing']);
   assert.deepEqual(channelsOf(shapes.slice(1)).map(({ name }) => name), ['thickness', 'Nothing']);
@@ -137,14 +137,14 @@ test('a view lists what its shapes have', () => {
   assert.equal(shownBy(channelsOf(shapes)[2], shapes[0], null).to, 1);
 });
 
-test('parts have a bin each, values 64', () => {
+test('histograms have one bin per part or 64 bins of values', () => {
   assert.deepEqual([binsOf({ colours: ['#000', '#fff'] }).edge(0), binsOf({ colours: ['#000', '#fff'] }).edge(2)],
     [-0.5, 1.5]);
   const { bins, edge } = binsOf({ low: 1, high: 3 });
   assert.deepEqual([bins, edge(0), edge(32), edge(64)], [64, 1, 2, 3]);
 });
 
-test('scales place their ticks between their ends', () => {
+test('scale ticks lie between the ends of the scale', () => {
   for (const root of [false, true]) {
     const scale = { from: 2, to: 6, root };
     const percents = scaleTicks(scale).map((tick) => Math.round(100 * scalePart(scale, tick)));
@@ -155,17 +155,17 @@ test('scales place their ticks between their ends', () => {
   assert.equal(rampColour(2), ramp[255]);
 });
 
-test('a slice cuts off the half towards the viewer', () => {
+test('a slice removes the half towards the viewer', () => {
   assert.deepEqual(planeOf({ axis: 'y', at: 0.25 }, [0, 0.9, 0.1]), { normal: [0, 1, 0], at: 0.25 });
   assert.deepEqual(planeOf({ axis: 'y', at: 0.25 }, [0, -0.9, 0.1]), { normal: [0, -1, 0], at: -0.25 });
 });
 
-test('a ball lies inside of the surface, that of a gap outside', () => {
+test('the line of a ball lies inside the surface and that of a gap outside', () => {
   assert.deepEqual(measuredLine([1, 0, 0], [1, 0, 0], 'ball', 0.5), { from: [1, 0, 0], to: [0.5, 0, 0] });
   assert.deepEqual(measuredLine([1, 0, 0], [1, 0, 0], 'gap', 0.5), { from: [1, 0, 0], to: [1.5, 0, 0] });
 });
 
-test('a value has the colour of its scale, of its part, or of what is not known or too small', () => {
+test('a value is coloured by its scale or part, or marked as unknown or below the threshold', () => {
   const scale = { from: 0, to: 4 };
   assert.equal(valueColour(scale, 4), ramp[255]);
   assert.equal(valueColour({ ...scale, root: true }, 1), rampColour(0.5));
@@ -175,7 +175,7 @@ test('a value has the colour of its scale, of its part, or of what is not known 
   assert.equal(valueColour({ ...scale, colours: ['#000000', '#0000ff'] }, 1), '#0000ff');
 });
 
-test('a GLB file has the corners with their colours and values', () => {
+test('a GLB file contains the corners with colours and values', () => {
   const positions = Float32Array.from([0, 0, 0, 2, 0, 0, 0, 3, 0]);
   const file = glbOf([{ name: 'a', positions, colours: [[255, 0, 0], [0, 255, 0], [128, 0, 0]],
     values: Float32Array.from([1, 2, 3]) }]);

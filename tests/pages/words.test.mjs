@@ -4,14 +4,14 @@ import test from 'node:test';
 
 import { counted, number, percent, sentences, shortened } from '../../pages/common/words.mjs';
 
-test('counts have their plural', () => {
+test('counts use singular and plural', () => {
   assert.equal(counted(1, 'class'), '1 class');
   assert.equal(counted(0, 'class'), '0 classes');
   assert.equal(counted(2, 'query'), '2 queries');
   assert.equal(counted(3, 'model'), '3 models');
 });
 
-test('numbers have four significant digits and no exponent where none is needed', () => {
+test('numbers are printed with four significant digits', () => {
   assert.equal(number(0.123456), '0.1235');
   assert.equal(number(1234.56), '1235');
   assert.equal(number(0.5), '0.5');
@@ -20,12 +20,12 @@ test('numbers have four significant digits and no exponent where none is needed'
   assert.equal(percent(0.98765), '98.77');
 });
 
-test('long texts end in an ellipsis and keep their length', () => {
+test('long texts are cut with an ellipsis', () => {
   assert.equal(shortened('abcdef', 6), 'abcdef');
   assert.equal(shortened('abcdefg', 6), 'abcde\u2026');
 });
 
-test('parts make one sentence, hints one each', () => {
+test('parts are joined into one sentence and hints into one each', () => {
   assert.equal(sentences(['protocol psb', 'in percent'], ['the best is bold']),
     'Protocol psb, in percent. The best is bold.');
   assert.equal(sentences(['mAP of each class']), 'mAP of each class.');

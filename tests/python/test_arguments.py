@@ -26,7 +26,7 @@ def objects():
 
 
 @pytest.mark.parametrize("mesh", objects(), ids=["trimesh", "Open3D", "PyVista", "Shape"])
-def test_settings_after_an_object_are_those_after_arrays(mesh):
+def test_positional_settings_have_the_same_effect_after_an_object_and_after_arrays(mesh):
     both = (VERTICES, FACES)
     for settings in (("offset_sdf", 0.03), ("offset_sdf", 0.2), ("cone_sdf",), ()):
         np.testing.assert_array_equal(sg.sdf(mesh, *settings).values, sg.sdf(*both, *settings).values)
@@ -37,7 +37,7 @@ def test_settings_after_an_object_are_those_after_arrays(mesh):
     np.testing.assert_array_equal(sg.segment(mesh, "paper", parts=2), sg.segment(*both, "paper", parts=2))
 
 
-def test_arrays_by_name_and_clouds_before_words():
+def test_arrays_are_accepted_by_keyword_and_clouds_without_faces():
     by_name = sg.sdf(vertices=VERTICES, faces=FACES, offset=0.1).values
     np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset_sdf", offset=0.1).values)
     np.testing.assert_array_equal(sg.describe(VERTICES, "d2"), sg.describe(VERTICES, None, "d2"))
@@ -47,7 +47,7 @@ def test_arrays_by_name_and_clouds_before_words():
     assert list(inspect.signature(sg.write).parameters) == ["path", "vertices", "faces", "normals"]
 
 
-def test_objects_are_written(tmp_path):
+def test_write_accepts_mesh_and_cloud_objects(tmp_path):
     sg.write(tmp_path / "mesh.off", MESH)
     np.testing.assert_array_equal(sg.read(tmp_path / "mesh.off").faces, FACES)
     normals = VERTICES / np.linalg.norm(VERTICES, axis=1, keepdims=True)
@@ -55,7 +55,7 @@ def test_objects_are_written(tmp_path):
     np.testing.assert_allclose(sg.read(tmp_path / "cloud.ply").normals, normals, atol=1e-6)
 
 
-def test_numbers_may_be_numpys():
+def test_settings_accept_numpy_numbers():
     expected = sg.field(MESH, "centricity", sources=5).values
     np.testing.assert_array_equal(sg.field(MESH, "centricity", sources=np.int64(5)).values, expected)
     surface = sg.sdf(MESH, "cone_sdf", at={"surface": np.int32(50)}, threads=np.int64(1))
@@ -183,7 +183,7 @@ CALLS = [
 
 
 @pytest.mark.parametrize("call, words", CALLS)
-def test_invalid_arguments_raise_one_error(call, words):
+def test_invalid_arguments_of_each_function_raise_an_error_of_one_line(call, words):
     with pytest.raises((sg.InputError, TypeError), match=words) as caught:
         call()
     assert "\n" not in str(caught.value) and "json.exception" not in str(caught.value)
@@ -191,7 +191,7 @@ def test_invalid_arguments_raise_one_error(call, words):
         assert words in ("positional", "nonsense", "vertices")
 
 
-def test_one_measure_or_any_iterable_of_them():
+def test_measures_accept_one_name_or_any_iterable():
     ft = sg.evaluate(DISTANCES, LABELS, measures=["FT"]).micro
     assert sg.evaluate(DISTANCES, LABELS, measures="FT").micro == ft
     assert sg.evaluate(DISTANCES, LABELS, measures=(name for name in ["FT"])).micro == ft
@@ -200,14 +200,14 @@ def test_one_measure_or_any_iterable_of_them():
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_a_list_of_methods_is_compared_in_its_order():
+def test_compare_keeps_the_order_of_a_list_of_methods():
     listed = sg.compare([DISTANCES, DISTANCES.max() - DISTANCES], LABELS, resamples=100)
     named = sg.compare({"method 1": DISTANCES, "method 2": DISTANCES.max() - DISTANCES}, LABELS, resamples=100)
     assert listed.results == named.results
     assert "method 2" in repr(listed)
 
 
-def test_strings_must_be_unicode_text():
+def test_strings_that_are_not_unicode_are_rejected():
     for call in (lambda: sg.describe(MESH, "\udcff"), lambda: sg.segment(MESH, "\udcff"),
                  lambda: sg.field(MESH, "centricity", sources="\udcff"),
                  lambda: sg.run({"name": "a", "dataset": {"root": "x\udcff"}})):
@@ -215,7 +215,7 @@ def test_strings_must_be_unicode_text():
             call()
 
 
-def test_recursive_settings_are_errors():
+def test_recursive_settings_are_rejected():
     configuration = {"name": "endless", "signatures": []}
     configuration["signatures"].append({"more": configuration})
     with pytest.raises(sg.InputError, match="^configuration contains itself, or is nested more than 100 deep$"):

@@ -12,7 +12,7 @@ FACES = np.array([[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 
                   [0, 6, 2], [1, 3, 7], [1, 7, 5]])
 
 
-def test_thin_sides_of_a_plate_are_regions_with_their_faces():
+def test_check_reports_the_thin_sides_of_a_plate_with_their_faces():
     report = sg.check(VERTICES, FACES, min_wall=1.2, min_gap=0.5)
     assert not report.passes
     assert report.closed and report.voids == 0 and report.gaps == [] and report.small_regions == 0
@@ -24,7 +24,7 @@ def test_thin_sides_of_a_plate_are_regions_with_their_faces():
         assert np.linalg.norm(region.position - region.opposite) == pytest.approx(1)
 
 
-def test_a_thick_plate_passes():
+def test_check_passes_a_thick_plate():
     assert sg.check(VERTICES, FACES, 0.9).passes
     assert sg.check(VERTICES, FACES, min_wall=1.2, min_area=241).small_regions == 2
 
@@ -32,11 +32,11 @@ def test_a_thick_plate_passes():
 @pytest.mark.parametrize("arguments, word", [
     ({}, "min_wall"), ({"min_wall": -1}, "min_wall"), ({"min_gap": float("nan")}, "min_gap"),
     ({"min_wall": 1, "min_area": -1}, "min_area"), ({"min_wall": 1, "separation_angle_degrees": 180}, "separation")])
-def test_limits_without_meaning_are_refused(arguments, word):
+def test_check_rejects_missing_negative_and_nan_limits(arguments, word):
     with pytest.raises(sg.InputError, match=word):
         sg.check(VERTICES, FACES, **arguments)
 
 
-def test_an_open_mesh_is_warned_of():
+def test_check_warns_of_an_open_mesh():
     with pytest.warns(UserWarning, match="not closed"):
         assert not sg.check(VERTICES, FACES[:-1], min_wall=1.2).closed

@@ -29,19 +29,19 @@ COMPARISON = {key: setting["default"] for key, setting in REGISTERED["options"][
     (sg.rerank, {"method": next(iter(REGISTERED["rerank"]))}),
     (sg.field, {"type": next(iter(REGISTERED["fields"]))}),
 ], ids=lambda value: getattr(value, "__name__", ""))
-def test_defaults_of_a_signature_are_the_registered_ones(function, registered):
+def test_defaults_of_functions_match_the_registry(function, registered):
     parameters = inspect.signature(function).parameters
     assert {name: parameters[name].default for name in registered} == registered
 
 
-def test_distances_without_weight_are_fused_with_the_registered_one():
+def test_fuse_uses_the_registered_weight_by_default():
     distances = [np.abs(np.subtract.outer(x, x)) for x in (np.arange(6.0) ** 2, np.arange(6.0)[::-1] ** 1.5)]
     weight = section("sum_term")["weight"]
     assert (sg.fuse(distances) == sg.fuse(distances, weight=[weight, weight])).all()
     assert (sg.fuse(distances) != sg.fuse(distances, weight=[weight, 2 * weight])).any()
 
 
-def test_sdf_takes_the_registered_defaults():
+def test_sdf_uses_the_registered_defaults():
     vertices, faces = bumpy_torus()
     cone = {name: setting["default"] for name, setting in REGISTERED["fields"]["cone_sdf"]["settings"].items()}
     given = sg.sdf(vertices, faces, "cone_sdf", **cone)
@@ -52,7 +52,7 @@ def test_sdf_takes_the_registered_defaults():
     assert (sg.sdf(vertices, faces).values == sg.sdf(vertices, faces, offset=offset, accuracy=accuracy).values).all()
 
 
-def test_sdf_takes_every_setting_of_every_thickness():
+def test_sdf_accepts_every_setting_of_every_thickness_method():
     thicknesses = {name: entry["settings"] for name, entry in REGISTERED["fields"].items() if entry["is_thickness"]}
     parameters = inspect.signature(sg.sdf).parameters
     for settings in thicknesses.values():
@@ -78,7 +78,7 @@ def test_sdf_computes_the_field_of_each_method():
 
 @pytest.mark.parametrize("function, kind", [(sg.field, "fields"), (sg.describe, "descriptors"), (sg.rerank, "rerank")],
                          ids=lambda value: getattr(value, "__name__", value))
-def test_docstrings_list_every_entry_with_its_settings(function, kind):
+def test_docstrings_list_every_registered_method_with_its_settings(function, kind):
     lines = inspect.getdoc(function).splitlines()
     for name, entry in REGISTERED[kind].items():
         begin = next(i for i, line in enumerate(lines) if line.strip().startswith(f'"{name}": '))

@@ -14,14 +14,14 @@ import pytest
 DOCS = os.path.join(os.environ["SHAPEGAUGE_CONFIGS"], "..", "docs/manual")
 
 
-def test_the_example_prints_what_the_page_says():
+def test_example_prints_the_output_shown_in_the_manual():
     with open(os.path.join(DOCS, "python.md"), encoding="utf-8") as file:
         example, output = re.search(r"```python\n(.*?)```\n\nprints\n\n```\n(.*?)```", file.read(), re.S).groups()
     run = subprocess.run([sys.executable, "-c", example], check=True, capture_output=True, text=True)
     assert run.stdout == output
 
 
-def test_the_notebook_has_the_outputs_of_its_cells():
+def test_notebook_contains_the_outputs_of_its_cells():
     pytest.importorskip("matplotlib").use("Agg")
     with open(os.path.join(DOCS, "example.ipynb"), encoding="utf-8") as file:
         cells = [cell for cell in json.load(file)["cells"] if cell["cell_type"] == "code"]

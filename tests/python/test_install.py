@@ -46,7 +46,7 @@ def wheel(tmp_path_factory):
     return next(folder.glob("*.whl"))
 
 
-def test_wheel_has_the_package_and_its_types(wheel):
+def test_wheel_contains_the_package_and_its_type_stubs(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     for name in ("__init__.py", "_search.py", "_native.pyi", "py.typed"):
         assert f"shapegauge/{name}" in names
@@ -55,7 +55,7 @@ def test_wheel_has_the_package_and_its_types(wheel):
     assert "none-any" not in wheel.name
 
 
-def test_runs_in_a_virtual_environment(wheel, tmp_path):
+def test_wheel_runs_in_a_virtual_environment(wheel, tmp_path):
     subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "venv"], check=True)
     python = tmp_path / "venv" / "bin" / "python"
     pip = [python, "-m", "pip", "install", "--no-index", "--no-deps", wheel]

@@ -27,7 +27,7 @@ MISSING = [None, float("nan"), np.nan, "", "  ", np.float32("nan"), np.datetime6
 
 
 @pytest.mark.parametrize("missing", MISSING)
-def test_missing_labels_are_an_error_that_names_the_rows(missing):
+def test_missing_labels_raise_an_error_that_names_the_rows(missing):
     labels = ["a", "a", missing, "b", "b", missing, "b"]
     with pytest.raises(sg.InputError, match="2 labels.* 2, 5 "):
         sg.evaluate(DISTANCES, labels)
@@ -37,7 +37,7 @@ def test_missing_labels_are_an_error_that_names_the_rows(missing):
         sg.compare({"first": DISTANCES, "second": DISTANCES}, array)
 
 
-def test_missing_numbers_of_arrays_are_an_error():
+def test_missing_values_in_label_arrays_raise_an_error():
     with pytest.raises(sg.InputError, match="row 4 "):
         sg.evaluate(DISTANCES, np.array([1, 1, 1, 2, np.nan, 2, 2]))
     with pytest.raises(sg.InputError, match="row 4 "):
@@ -48,7 +48,7 @@ def test_missing_numbers_of_arrays_are_an_error():
 
 
 @pytest.mark.parametrize("text", ["nan", "NaN", "None", "<NA>", "NaT", "NULL"])
-def test_labels_with_the_text_of_missing_values_warn(text, tmp_path):
+def test_labels_that_spell_a_missing_value_give_a_warning(text, tmp_path):
     labels = [text, "a", text, "b", "b", "a", "b"]
     for given in (labels, np.array(labels, object)):
         with pytest.warns(UserWarning, match=f'the label of rows 0, 2 .* is the text "{text}"'):
@@ -63,7 +63,7 @@ def test_labels_with_the_text_of_missing_values_warn(text, tmp_path):
     assert any(f'2 models have the class "{text}"' in line for line in told)
 
 
-def test_missing_targets_are_named_by_their_own_rows():
+def test_missing_target_labels_are_named_by_their_rows():
     targets = ["a", "b", None]
     with pytest.raises(sg.InputError, match="1 label is missing, in row 2 of targets "):
         sg.evaluate(DISTANCES[:, :3], LABELS, targets=targets)
@@ -88,7 +88,7 @@ def test_unlabelled_models_are_neither_queries_nor_relevant():
         sg.evaluate(DISTANCES, LABELS, missing_labels="x")
 
 
-def test_labels_may_be_any_ordered_iterable():
+def test_labels_accept_any_ordered_iterable():
     expected = sg.evaluate(DISTANCES, LABELS)
     for labels in (tuple(LABELS), np.array(LABELS), iter(LABELS), (label for label in LABELS), np.array([LABELS]).T,
                    np.array(LABELS, object), np.array(LABELS, "S"), [f" {label}" for label in LABELS]):
@@ -121,6 +121,6 @@ def test_labels_may_be_any_ordered_iterable():
     ([1, 1, 1, 2, 2, 2, (2,)], "row 6 is a tuple"),
     ([1, 1, 1, 2, 2, 2, np.ones(2)], "row 6 is an? ndarray"),
 ])
-def test_other_labels_are_refused(labels, words):
+def test_labels_of_mixed_types_and_missing_labels_in_arrays_are_rejected(labels, words):
     with pytest.raises(sg.InputError, match=words):
         sg.evaluate(DISTANCES, labels)

@@ -57,7 +57,7 @@ def shuffled(names):
     return [names[i] for i in SHUFFLED]
 
 
-def test_frames_with_equal_orders_match_arrays(table):
+def test_data_frames_in_the_order_of_the_labels_give_the_scores_of_arrays(table):
     series, frame = table
     expected = sg.evaluate(DISTANCES, LABELS).micro
     assert sg.evaluate(frame(DISTANCES, NAMES, NAMES), series(LABELS, NAMES)).micro == expected
@@ -69,7 +69,7 @@ def test_frames_with_equal_orders_match_arrays(table):
     np.testing.assert_array_equal(sg.rerank(frame(DISTANCES, NAMES, NAMES)), sg.rerank(DISTANCES))
 
 
-def test_labels_in_another_order_than_the_rows_are_an_error(table):
+def test_labels_in_another_order_than_the_rows_raise_an_error(table):
     series, frame = table
     labels = series(shuffled(LABELS), shuffled(NAMES))
     with pytest.raises(sg.InputError, match=r"the rows of distances and the labels are in different orders: row 0 "
@@ -86,7 +86,7 @@ def test_labels_in_another_order_than_the_rows_are_an_error(table):
 
 
 @pytest.mark.parametrize("missing", ["nan", "None", "NA", "tuple"])
-def test_missing_names_are_equal_to_themselves(table, missing):
+def test_missing_names_in_a_pandas_index_equal_each_other(table, missing):
     series, frame = table
     not_available = Missing() if series is Series else pytest.importorskip("pandas").NA
     make = {"nan": lambda: float("nan"), "None": lambda: None, "tuple": lambda: ("m6", float("nan")),
@@ -100,7 +100,7 @@ def test_missing_names_are_equal_to_themselves(table, missing):
         sg.evaluate(frame(DISTANCES, [*names, make()]), series(LABELS, [make(), *names]))
 
 
-def test_columns_in_another_order_than_the_rows_or_targets_are_an_error(table):
+def test_columns_in_another_order_than_rows_or_targets_raise_an_error(table):
     series, frame = table
     turned = frame(DISTANCES[:, SHUFFLED], NAMES, shuffled(NAMES))
     for call in (lambda: sg.evaluate(turned, LABELS), lambda: sg.rerank(turned), lambda: sg.fuse([turned, DISTANCES])):
@@ -114,7 +114,7 @@ def test_columns_in_another_order_than_the_rows_or_targets_are_an_error(table):
         sg.evaluate(frame(DISTANCES, NAMES, NAMES), relevance=frame(np.ones((7, 7), int), NAMES, shuffled(NAMES)))
 
 
-def test_methods_in_different_orders_are_an_error(table):
+def test_matrices_with_rows_in_different_orders_raise_an_error(table):
     _, frame = table
     other = frame(DISTANCES[np.ix_(SHUFFLED, SHUFFLED)], shuffled(NAMES), shuffled(NAMES))
     with pytest.raises(sg.InputError, match="the rows of a and the rows of b"):

@@ -26,7 +26,7 @@ def same_scores(a, b):
     assert a.precision.tobytes() == b.precision.tobytes()
 
 
-def test_scores_pickle_and_copy():
+def test_scores_can_be_pickled_and_copied():
     scores = sg.evaluate(*toy(), confidence=0.9, name="toy")
     for other in (pickle.loads(pickle.dumps(scores)), copy.deepcopy(scores), copy.copy(scores)):
         same_scores(other, scores)
@@ -35,7 +35,7 @@ def test_scores_pickle_and_copy():
     assert scores["FT"] != 0
 
 
-def test_distances_may_be_condensed_or_without_a_diagonal():
+def test_evaluate_accepts_condensed_distances_and_a_missing_diagonal():
     distances, labels = toy()
     scores = sg.evaluate(distances, labels)
     same_scores(sg.evaluate(distances[np.triu_indices(len(distances), 1)], labels), scores)
@@ -45,7 +45,7 @@ def test_distances_may_be_condensed_or_without_a_diagonal():
         same_scores(sg.evaluate(matrix, labels), scores)
 
 
-def test_normals_may_have_any_length():
+def test_normals_of_any_length_give_the_same_values():
     vertices, faces = bumpy_torus()
     centres = vertices[faces].mean(axis=1)
     normals = sg.normals(vertices, faces, at="faces")
@@ -53,7 +53,7 @@ def test_normals_may_have_any_length():
     np.testing.assert_allclose(sg.sdf(centres, "inscribed_ball", normals=0.01 * normals).values, expected, rtol=1e-9)
 
 
-def test_fields_pickle_and_say_where_their_samples_are():
+def test_fields_can_be_pickled_and_state_their_sample_site():
     vertices, faces = bumpy_torus()
     field = sg.sdf(vertices, faces)
     np.testing.assert_allclose(field.points, vertices[faces].mean(axis=1), atol=1e-12)
@@ -64,7 +64,7 @@ def test_fields_pickle_and_say_where_their_samples_are():
     np.testing.assert_array_equal(back.values, field.values)
 
 
-def test_replaced_values_keep_the_rest_of_a_field():
+def test_replacing_the_values_of_a_field_keeps_its_points_and_normals():
     field = sg.sdf(*bumpy_torus())
     scaled = dataclasses.replace(field, values=2 * field.values)
     np.testing.assert_array_equal(scaled.values, 2 * field.values)
@@ -72,7 +72,7 @@ def test_replaced_values_keep_the_rest_of_a_field():
     assert scaled.points is field.points and scaled.normals is field.normals
 
 
-def test_field_is_not_an_array_of_values_and_weights():
+def test_numpy_functions_reject_a_field_instead_of_its_values():
     field = sg.sdf(*bumpy_torus())
     values, weights = field
     assert values is field.values and weights is field.weights and field[0] is values
@@ -82,7 +82,7 @@ def test_field_is_not_an_array_of_values_and_weights():
             statistic(field)
 
 
-def test_frame_has_a_row_for_each_query():
+def test_data_frame_of_scores_has_one_row_per_query():
     pandas = pytest.importorskip("pandas")
     distances, labels = toy()
     scores = sg.evaluate(distances, labels)
@@ -93,7 +93,7 @@ def test_frame_has_a_row_for_each_query():
     assert frame["FT"].mean() == pytest.approx(scores["FT"])
 
 
-def test_plot_draws_the_curve():
+def test_plot_draws_the_precision_recall_curve():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     scores = sg.evaluate(*toy(), name="toy")
@@ -105,7 +105,7 @@ def test_plot_draws_the_curve():
     np.testing.assert_array_equal(first.get_ydata(), scores.precision)
 
 
-def test_intervals_match_the_command_line(tmp_path):
+def test_confidence_intervals_match_the_command_line(tmp_path):
     distances, labels = toy()
     np.save(tmp_path / "d.npy", distances)
     (tmp_path / "labels.csv").write_text("".join(f"{label}\n" for label in labels))
@@ -125,7 +125,7 @@ def _lists_in(json_value):
         yield from _lists_in(part)
 
 
-def test_features_are_compared_by_a_distance():
+def test_evaluate_compares_features_by_a_named_distance():
     features = np.random.default_rng(1).random((7, 5)).astype(np.float32)
     labels = list("aaabbbb")
     distances = sg.distances(features, "l1")
@@ -163,14 +163,14 @@ def test_subclasses_grade_models_of_a_class():
     (["1", "1", "1", "1"], ["2", "3 ", " 1", b"2"]),
     ((label for label in [1, 1, 1, 1]), (name for name in ["2", "3", None, "2"])),
 ])
-def test_subclasses_and_labels_of_any_type_are_compared(labels, subclasses):
+def test_subclasses_and_labels_may_have_any_type(labels, subclasses):
     distances = np.array([[0, 1, 2, 3], [1, 0, 2, 3], [1, 2, 0, 3], [1, 2, 3, 0]], dtype=float)
     expected = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=["x", "y", "a", "x"])
     scores = sg.evaluate(distances, labels, "paper", measures=["nDCG@N"], subclasses=subclasses)
     assert scores.micro == expected.micro
 
 
-def test_relevance_replaces_labels():
+def test_relevance_matrix_gives_the_scores_of_labels():
     distances, labels = toy()
     same = np.equal.outer(labels, labels)
     by_labels = sg.evaluate(distances, labels, protocol="trec")
@@ -201,7 +201,7 @@ def test_relevance_replaces_labels():
                          ([[1, 2], [3]], "grades of relevance cannot be made an array")]:
         with pytest.raises(sg.InputError, match=words):
             sg.evaluate(distances, relevance=wrong)
-    with pytest.raises(sg.InputError, match="give them, or relevance"):
+    with pytest.raises(sg.InputError, match="pass labels, or relevance"):
         sg.evaluate(distances)
 
 
@@ -215,7 +215,7 @@ def test_negative_relevance_means_not_judged():
     assert list(sg.evaluate(distances, relevance=grades, evaluator="trec_eval").queries) == [0, 1, 2]
 
 
-def test_rows_may_be_queries_to_other_models():
+def test_evaluate_accepts_queries_that_are_not_targets():
     places, others = np.array([0.0, 10]), np.array([1.0, 2, 9, 12])
     scores = sg.evaluate(np.abs(np.subtract.outer(places, others)), ["a", "b"], targets=["a", "b", "b", "a"])
     assert scores.per_query["NN"].tolist() == [1, 1]
@@ -224,7 +224,7 @@ def test_rows_may_be_queries_to_other_models():
         sg.evaluate(np.zeros((2, 4)), ["a", "b"], targets=["a"])
 
 
-def test_run_takes_a_dict_and_reports_progress(tmp_path, monkeypatch):
+def test_run_accepts_a_dict_and_reports_progress(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
         configuration = json.load(file)
@@ -245,7 +245,7 @@ def test_run_takes_a_dict_and_reports_progress(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name, folder", [("..", "unnamed"), (".", "unnamed"), ("a/b c", "a_b_c")])
-def test_a_run_without_output_writes_into_a_folder_of_results(tmp_path, monkeypatch, name, folder):
+def test_run_writes_into_results_and_the_experiment_name_by_default(tmp_path, monkeypatch, name, folder):
     monkeypatch.chdir(tmp_path)
     with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
         configuration = json.load(file)
@@ -257,7 +257,7 @@ def test_a_run_without_output_writes_into_a_folder_of_results(tmp_path, monkeypa
     assert os.listdir(tmp_path) == ["results"] and os.listdir("results") == [folder]
 
 
-def test_results_overwrite_no_input(tmp_path):
+def test_run_does_not_overwrite_its_inputs(tmp_path):
     vertices, faces = bumpy_torus()
     for name in ("a/1.off", "a/2.off", "b/3.off", "b/4.off"):
         (tmp_path / "data" / name).parent.mkdir(parents=True, exist_ok=True)
@@ -273,7 +273,7 @@ def test_results_overwrite_no_input(tmp_path):
     assert sorted(path.name for path in (tmp_path / "data").iterdir()) == ["a", "b"]
 
 
-def test_messages_of_runs_name_arguments(tmp_path):
+def test_error_messages_of_run_name_python_arguments(tmp_path):
     (tmp_path / "summary.csv").write_text("")
     configuration = {"name": "made", "dataset": {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}},
                      "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}
@@ -283,7 +283,7 @@ def test_messages_of_runs_name_arguments(tmp_path):
         sg.run(configuration, tmp_path, settings="foo", cache="")
 
 
-def test_objects_of_other_packages_are_shapes(tmp_path):
+def test_objects_of_other_packages_are_accepted_as_shapes(tmp_path):
     vertices, faces = bumpy_torus()
     expected = sg.sdf(vertices, faces).values
     block = types.SimpleNamespace(type="triangle", data=faces)
@@ -302,14 +302,14 @@ def test_objects_of_other_packages_are_shapes(tmp_path):
         sg.sdf(quads)
 
 
-def test_real_objects_of_meshio():
+def test_meshio_objects_are_accepted_as_shapes():
     meshio = pytest.importorskip("meshio")
     vertices, faces = bumpy_torus()
     mesh = meshio.Mesh(vertices, [("triangle", faces)])
     assert sg.sdf(mesh).values.tobytes() == sg.sdf(vertices, faces).values.tobytes()
 
 
-def test_quads_are_two_triangles_each(tmp_path):
+def test_quads_are_split_into_two_triangles(tmp_path):
     vertices = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
     quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
     values, weights = sg.sdf(vertices, quads)

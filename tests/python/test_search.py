@@ -32,7 +32,7 @@ def opened(models, **settings):
         return sg.Index(models, method=METHOD, cache="", **settings)
 
 
-def test_index_knows_its_shapes(models):
+def test_index_lists_its_shapes_and_files(models):
     index = opened(models)
     assert len(index) == 8
     assert index.names == sorted(index.names)
@@ -59,7 +59,7 @@ def test_search_matches_the_command_line(models, tmp_path):
     assert [found.file for found in answer] == [str(models / name) for name in answer.names]
 
 
-def test_a_query_is_a_file_an_object_or_arrays(models, tmp_path):
+def test_search_accepts_a_file_an_object_or_arrays_as_query(models, tmp_path):
     index = opened(models)
     vertices, faces = bumpy_torus()
     vertices = vertices * [1, 1, 0.15]
@@ -73,7 +73,7 @@ def test_a_query_is_a_file_an_object_or_arrays(models, tmp_path):
     assert expected.member is None
 
 
-def test_several_queries_have_answers_of_their_own(models, tmp_path):
+def test_search_returns_one_answer_per_query(models, tmp_path):
     index = opened(models)
     answers = index.search([models / "flat0.off", models / "broken.off", models / "torus0.off"], k=2)
     assert [len(answer) for answer in answers] == [2, 0, 2]
@@ -82,7 +82,7 @@ def test_several_queries_have_answers_of_their_own(models, tmp_path):
         index.search(models / "broken.off")
 
 
-def test_reranked_answers_and_pages(models, tmp_path):
+def test_search_reranks_and_writes_a_page_on_request(models, tmp_path):
     index = opened(models)
     plain = index.search(models / "flat0.off")
     told = []
@@ -95,7 +95,7 @@ def test_reranked_answers_and_pages(models, tmp_path):
     assert all(0 <= done <= total for _, done, total in told)
 
 
-def test_the_axis_that_points_up_on_a_page(models, tmp_path):
+def test_search_page_shows_the_requested_up_axis(models, tmp_path):
     index = opened(models)
     query = models / "flat0.off"
     pages = {up: tmp_path / f"{up}.html" for up in ("auto", "y", "z")}
@@ -106,7 +106,7 @@ def test_the_axis_that_points_up_on_a_page(models, tmp_path):
         index.search(query, up="north")
 
 
-def test_a_page_overwrites_other_files_only_on_request(models, tmp_path):
+def test_search_page_overwrites_existing_pages_only_on_request(models, tmp_path):
     index = opened(models)
     query = models / "flat0.off"
     before = {path: path.read_bytes() for path in (query, pathlib.Path(index.file))}
@@ -128,7 +128,7 @@ def test_a_page_overwrites_other_files_only_on_request(models, tmp_path):
     assert "flat0.off" in page.read_text()
 
 
-def test_index_follows_files_and_keeps_its_method(models):
+def test_index_updates_for_removed_files_and_rebuilds_for_another_method(models):
     opened(models)
     (models / "broken.off").unlink()
     index = sg.Index(models, method=METHOD, cache="")
@@ -138,14 +138,14 @@ def test_index_follows_files_and_keeps_its_method(models):
         assert sg.Index(models, method=other, cache="").signature == "d2"
 
 
-def test_an_index_overwrites_no_other_file(models):
+def test_index_does_not_overwrite_files_that_are_not_indexes(models):
     before = (models / "flat0.off").read_bytes()
     with pytest.raises(sg.InputError, match="flat0.off is not an index"):
         sg.Index(models, models / "flat0.off", method=METHOD, cache="")
     assert (models / "flat0.off").read_bytes() == before
 
 
-def test_messages_name_arguments_of_the_package(models, tmp_path):
+def test_search_messages_name_python_arguments(models, tmp_path):
     with pytest.warns(UserWarning, match="choose another file with index$"):
         sg.Index(models, tmp_path / "absent" / "index", method=METHOD, cache="")
     opened(models, index=tmp_path / "one")
@@ -154,11 +154,11 @@ def test_messages_name_arguments_of_the_package(models, tmp_path):
         sg.Index(models, tmp_path / "one", method=other, cache="", update=False)
     reranked = {"name": "r", "signatures": [*METHOD["signatures"],
                                             {"name": "better", "rerank": {"of": "d2", "method": "diffusion"}}]}
-    with pytest.raises(sg.InputError, match="re-rank the answers"):
+    with pytest.raises(sg.InputError, match="rerank=True"):
         sg.Index(models, method=reranked, signature="better", cache="")
 
 
-def test_frame_of_an_answer(models):
+def test_frame_of_an_answer_lists_names_files_and_distances(models):
     pytest.importorskip("pandas")
     frame = opened(models).search(models / "flat0.off", k=4).to_frame()
     assert list(frame.columns) == ["name", "file", "distance"]
@@ -173,17 +173,17 @@ def test_frame_of_an_answer(models):
     ({"query": "absent.off"}, "absent.off"),
     ({"on_progress": 3}, "on_progress must be a function"),
 ])
-def test_wrong_arguments_are_errors(models, arguments, words):
+def test_search_rejects_zero_results_and_arguments_of_the_wrong_type(models, arguments, words):
     index = opened(models)
     with pytest.raises(sg.InputError, match=words):
         index.search(**{"query": models / "flat0.off", **arguments})
 
 
-def test_wrong_collections_and_methods_are_errors(models, tmp_path):
+def test_index_rejects_missing_collections_and_contradictory_methods(models, tmp_path):
     for arguments, words in [((tmp_path / "absent", ), "absent"), ((models / "flat0.off", ), "is not a collection")]:
         with pytest.raises(sg.InputError, match=words):
             sg.Index(*arguments)
-    with pytest.raises(sg.InputError, match="signature requires a method"):
+    with pytest.raises(sg.InputError, match="signature requires method"):
         sg.Index(models, signature="d2")
     with pytest.raises(sg.InputError, match="articulated"):
         sg.Index(models, method=METHOD, articulated=True)

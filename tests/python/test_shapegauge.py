@@ -23,7 +23,7 @@ def torus_file(torus, tmp_path):
     return tmp_path / "torus.off"
 
 
-def test_a_shape_comes_back_from_its_file(torus, torus_file):
+def test_read_returns_the_vertices_and_faces_of_a_file(torus, torus_file):
     shape = sg.read(torus_file)
     np.testing.assert_array_equal(shape.vertices, torus[0])
     np.testing.assert_array_equal(shape.faces, torus[1])
@@ -44,7 +44,7 @@ def test_sdf_matches_the_command_line(torus_file, tmp_path, method, at):
     assert 0.2 < np.median(values) < 0.9  # the tube is 0.4 to 0.8 thick
 
 
-def test_values_do_not_depend_on_threads_or_layout(torus):
+def test_sdf_does_not_depend_on_threads_or_memory_layout(torus):
     vertices, faces = torus
     one, _ = sg.sdf(vertices, faces, threads=1)
     two, _ = sg.sdf(np.asfortranarray(vertices), faces.astype(np.int64), threads=2)
@@ -79,7 +79,7 @@ def open3d_objects(vertices, faces, normals):
     return mesh, cloud
 
 
-def test_objects_of_open3d(torus):
+def test_open3d_objects_are_accepted_as_shapes(torus):
     vertices, faces = torus
     given = sg.normals(vertices)
     mesh, cloud = open3d_objects(vertices, faces, given)
@@ -100,7 +100,7 @@ def test_normals_of_a_cloud_point_outward(torus):
     assert ((normals * (vertices - middle)).sum(axis=1) > 0).mean() > 0.97
 
 
-def test_any_field_of_configurations(torus):
+def test_field_computes_any_registered_field(torus):
     values, weights = sg.field(*torus, type="centricity", sources=10)
     assert values.shape == weights.shape == (1920,)
     assert (values > 0).all()
@@ -110,14 +110,14 @@ def test_any_field_of_configurations(torus):
         sg.field(*torus, type="cone_sdf", wrong=1)
 
 
-def test_segments_match_the_command_line(torus_file, tmp_path):
+def test_segment_matches_the_command_line(torus_file, tmp_path):
     labels = sg.segment(sg.read(torus_file), parts=3)
     program("segment", torus_file, "--parts", 3, "-o", tmp_path / "torus.seg")
     np.testing.assert_array_equal(labels, np.loadtxt(tmp_path / "torus.seg", dtype=int))
     assert labels.dtype == np.int32
 
 
-def test_segments_of_the_paper_match_the_command_line(torus_file, tmp_path):
+def test_segment_by_the_method_of_chen_2018_matches_the_command_line(torus_file, tmp_path):
     labels = sg.segment(sg.read(torus_file), method="paper", field="cone_sdf", parts=2)
     arguments = ["--method", "paper", "--field", "cone_sdf", "--parts", 2]
     program("segment", torus_file, *arguments, "-o", tmp_path / "torus.seg")
@@ -127,12 +127,12 @@ def test_segments_of_the_paper_match_the_command_line(torus_file, tmp_path):
 @pytest.mark.parametrize(
     "settings", [{"method": "pape"}, {"method": "paper", "patches": 9}, {"part": 3}, {"perturbations": []}]
 )
-def test_segment_refuses_settings_that_it_does_not_have(torus_file, settings):
+def test_segment_rejects_unknown_settings(torus_file, settings):
     with pytest.raises(ValueError, match=list(settings)[-1]):
         sg.segment(sg.read(torus_file), **settings)
 
 
-def test_features_match_the_command_line(torus_file, tmp_path):
+def test_describe_matches_the_command_line(torus_file, tmp_path):
     features = sg.describe(sg.read(torus_file), descriptor="d2", points=500)
     program("describe", torus_file, "--descriptor", "d2", "--set", "points=500", "-o", tmp_path / "d2.npy")
     np.testing.assert_array_equal(features, np.load(tmp_path / "d2.npy")[0].astype(np.float32))
@@ -177,14 +177,14 @@ def test_reranked_distances_match_the_command_line(tmp_path):
     np.testing.assert_array_equal(sg.rerank(distances, neighbours=3), np.load(tmp_path / "better.npy"))
 
 
-def test_neighbours_are_a_number_a_list_or_auto():
+def test_rerank_accepts_neighbours_as_number_list_or_auto():
     distances, _ = toy()
     np.testing.assert_array_equal(sg.rerank(distances, neighbours="auto"),
                                   sg.rerank(distances, neighbours=np.array([4, 5, 7, 10, 14, 20])))
     assert not np.array_equal(sg.rerank(distances, neighbours="auto"), sg.rerank(distances, neighbours=4))
 
 
-def test_sums_of_distances():
+def test_fuse_adds_weighted_and_scaled_distances():
     distances, _ = toy()
     other = np.sqrt(distances)
     plain = sg.fuse([distances, other], [2, 0.5], scale="none")
@@ -195,7 +195,7 @@ def test_sums_of_distances():
                                rtol=1e-12)
 
 
-def test_features_do_not_depend_on_the_unit():
+def test_features_do_not_depend_on_the_unit_of_a_shape():
     vertices, faces = bumpy_torus()
     fixed = {"fields": [{"type": "cone_sdf"}, {"type": "centricity"}],
              "axes": [{"bins": 16, "low": 0, "high": 1}, {"bins": 16, "low": 0, "high": 2}]}
@@ -208,7 +208,7 @@ def test_features_do_not_depend_on_the_unit():
 SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]
 
 
-def test_an_experiment_writes_the_files_of_the_command_line(tmp_path):
+def test_run_writes_the_files_of_the_command_line(tmp_path):
     configuration = os.path.join(CONFIGS, "quickstart.json")
     done = sg.run(configuration, tmp_path / "python", settings=SMALL, cache="")
     sets = [word for one in SMALL for word in ("--set", one)]
@@ -218,7 +218,7 @@ def test_an_experiment_writes_the_files_of_the_command_line(tmp_path):
     assert done.left_out == [] and "Results in" in repr(done)
 
 
-def test_a_segmentation_experiment_writes_the_files_of_the_command_line(tmp_path):
+def test_run_of_a_segmentation_writes_the_files_of_the_command_line(tmp_path):
     document = {
         "name": "parts",
         "dataset": {"generate": {"classes": 1, "models_per_class": 2, "faces": 1000}},

@@ -43,7 +43,7 @@ def in_python(sentence):
     return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r"--(\w+) auto\b", r"\1='auto'", sentence))
 
 
-def test_offsets_below_the_gaps_warn(tmp_path):
+def test_offsets_that_do_not_close_the_gaps_give_a_warning(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
@@ -69,7 +69,7 @@ def test_offsets_below_the_gaps_warn(tmp_path):
     assert found == []
 
 
-def test_the_chosen_offset_is_reported(tmp_path):
+def test_automatic_offset_is_reported(tmp_path):
     sg.write(tmp_path / "cloud.ply", VERTICES)
     field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
     program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "auto", "--timings", tmp_path / "t.json",
@@ -84,7 +84,7 @@ def test_the_chosen_offset_is_reported(tmp_path):
     assert sg.sdf(VERTICES, FACES, "cone_sdf").offset is None and sg.sdf(VERTICES, FACES, "cone_sdf").normals is None
 
 
-def test_models_that_a_run_omits_are_named(tmp_path):
+def test_run_names_omitted_models(tmp_path):
     for model in ("a/one", "a/two", "b/one", "b/two"):
         (tmp_path / "shapes" / model).parent.mkdir(parents=True, exist_ok=True)
         sg.write(tmp_path / "shapes" / f"{model}.off", VERTICES * (2 if "two" in model else 1), FACES)
@@ -97,7 +97,7 @@ def test_models_that_a_run_omits_are_named(tmp_path):
     assert f"omitted {run.left_out[0]}" in found
 
 
-def test_the_offset_sdf_of_a_hollow_body_is_of_its_hull():
+def test_sdf_of_a_hollow_body_warns_that_it_measures_the_hull():
     axis = VERTICES * [1, 1, 0]
     axis /= np.linalg.norm(axis, axis=1, keepdims=True)
     vertices = np.concatenate([VERTICES, (VERTICES + axis) / 2])  # inner surface: halfway to the axis of the tube
@@ -116,7 +116,7 @@ def ball_with_outliers(count):
     return np.concatenate([np.reshape(far[:1], (-1, 3)), points, np.reshape(far[1:], (-1, 3))])
 
 
-def test_outliers_are_removed_on_request_or_by_auto(tmp_path):
+def test_outliers_are_removed_on_request_or_with_auto(tmp_path):
     points = ball_with_outliers(2)
     clean = sg.sdf(points[1:-1], offset="auto")
     for settings in ({"offset": "auto"}, {"offset": clean.offset, "remove_outliers": True}):
@@ -136,7 +136,7 @@ def test_outliers_are_removed_on_request_or_by_auto(tmp_path):
     assert sorted(in_python(line) for line in lines) == sorted(told)
 
 
-def test_outliers_have_neither_part_nor_features():
+def test_removed_outliers_get_no_part_and_do_not_affect_features():
     points = ball_with_outliers(2)
     labels, told = warned(lambda: sg.segment(points, remove_outliers=True))
     assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(told) == 1
@@ -146,7 +146,7 @@ def test_outliers_have_neither_part_nor_features():
     assert any("outliers" in sentence for sentence in told)
 
 
-def test_normals_of_another_surface_are_ignored(tmp_path):
+def test_normals_unrelated_to_the_surface_are_ignored(tmp_path):
     points = ball_with_outliers(0)
     others = points[::-1]
     for measure in (lambda normals: sg.sdf(points, offset=0.05, normals=normals).values,
@@ -161,7 +161,7 @@ def test_normals_of_another_surface_are_ignored(tmp_path):
     assert sum("normals of the points are ignored" in line for line in commands_warnings(lines)) == 1
 
 
-def test_zero_normals_are_missing():
+def test_zero_normals_are_treated_as_missing():
     points = ball_with_outliers(0)
     zero = np.zeros_like(points)
     assert (sg.sdf(points, offset="auto", normals=zero).values == sg.sdf(points, offset="auto").values).all()
@@ -169,7 +169,7 @@ def test_zero_normals_are_missing():
         sg.sdf(points, method="inscribed_ball", normals=zero)
 
 
-def test_ties_are_counted_and_bounded():
+def test_ties_give_a_warning_with_bounds_of_scores():
     # All distances but one are equal: FT is what the order of equals makes of it.
     labels = [0, 0, 0, 1, 1, 1]
     distances = 1 - np.eye(6)
@@ -185,7 +185,7 @@ def test_ties_are_counted_and_bounded():
     assert found == []
 
 
-def test_models_left_out_are_counted():
+def test_models_omitted_as_queries_are_counted():
     distances, _ = untied()
     scores, found = warned(lambda: sg.evaluate(distances, list("aaabbxy")))
     assert scores.models_left_out == 2
@@ -203,7 +203,7 @@ def test_reranking_warns_as_the_command_line_does(tmp_path):
     assert "looks like a matrix of similarities; re-ranking takes distances" in found[0]
 
 
-def test_apparent_similarities_name_the_argument():
+def test_warning_of_apparent_similarities_names_the_argument():
     distances, labels = untied()
     similarities = distances.max() - distances
     _, found = warned(lambda: sg.evaluate(similarities, labels))
@@ -213,7 +213,7 @@ def test_apparent_similarities_name_the_argument():
     assert scores.micro == sg.evaluate(distances, labels).micro and found == []
 
 
-def test_comparisons_name_the_method_and_what_cannot_be_significant():
+def test_compare_warns_of_tied_methods_and_too_few_classes():
     distances, labels = untied()
     methods = {"good": distances, "tied": np.round(distances / 5)}
     _, found = warned(lambda: sg.compare(methods, labels, blocks="classes"))
@@ -224,14 +224,14 @@ def test_comparisons_name_the_method_and_what_cannot_be_significant():
     assert len(found) == 1 and "p_classes" in found[0]  # two classes
 
 
-def test_coordinates_too_large_for_stl(tmp_path):
+def test_write_warns_of_coordinates_too_large_for_stl(tmp_path):
     assert warned(lambda: sg.write(tmp_path / "near.stl", VERTICES, FACES))[1] == []
     _, (warning,) = warned(lambda: sg.write(tmp_path / "far.stl", VERTICES + 1e9, FACES))
     assert "single precision of STL" in warning
     assert warned(lambda: sg.write(tmp_path / "far.ply", VERTICES + 1e9, FACES))[1] == []
 
 
-def test_features_that_are_equal_in_single_precision():
+def test_features_equal_in_single_precision_give_a_warning():
     features = np.random.default_rng(1).random((7, 4))
     labels = list("aaabbbb")
     assert warned(lambda: sg.distances(features, distance="l2"))[1] == []

@@ -52,9 +52,9 @@ struct Terms {
   }
 };
 
-class CollectionSumOf : public testing::TestWithParam<std::tuple<SumWeights, DistanceScale>> {};
+class CollectionSumOfEachKind : public testing::TestWithParam<std::tuple<SumWeights, DistanceScale>> {};
 
-TEST_P(CollectionSumOf, HasTheRowsOfTheWholeSumBitByBit) {
+TEST_P(CollectionSumOfEachKind, RowsEqualThoseOfTheSumOfWholeMatrices) {
   const auto& [kind, scale] = GetParam();
   const Terms terms(grouped_points(300, 1));  // more rows than one block
   const DistanceMatrix whole =
@@ -64,13 +64,13 @@ TEST_P(CollectionSumOf, HasTheRowsOfTheWholeSumBitByBit) {
     EXPECT_EQ(sum_row(sum, terms.rows_at(i), i), whole.row(i).transpose());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CollectionSumOf,
+INSTANTIATE_TEST_SUITE_P(All, CollectionSumOfEachKind,
                          testing::Combine(testing::Values(SumWeights::given, SumWeights::agreement),
                                           testing::Values(DistanceScale::none, DistanceScale::median,
                                                           DistanceScale::mean, DistanceScale::local,
                                                           DistanceScale::ranks)));
 
-TEST(CollectionSum, ACopyOfAMemberHasTheMembersRow) {
+TEST(CollectionSum, GivesACopyOfAModelTheRowOfTheModel) {
   const Terms terms(grouped_points(80, 2));
   for (const DistanceScale scale : {DistanceScale::local, DistanceScale::ranks}) {
     const CollectionSum sum = terms.sum(SumWeights::agreement, scale);
@@ -80,7 +80,7 @@ TEST(CollectionSum, ACopyOfAMemberHasTheMembersRow) {
   }
 }
 
-TEST(CollectionSum, AnExternalModelIsScaledByItsNearest) {
+TEST(CollectionSum, ScalesAnExternalQueryByItsNearestModels) {
   const std::vector matrices = {point_distances(grouped_points(30, 3), 1)};
   const std::vector<RowSource> rows{rows_of(matrices.front())};
   const std::vector<double> one = {1};
@@ -96,7 +96,7 @@ TEST(CollectionSum, AnExternalModelIsScaledByItsNearest) {
   EXPECT_TRUE(sum_row(sum, farther).isApprox(10 * row, 1e-12));
 }
 
-TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
+TEST(CollectionSum, ScalesAQueryAmongDuplicatesByAHundredthOfTheMedian) {
   const std::vector matrices = {point_distances(grouped_points(30, 4), 1)};
   const std::vector<RowSource> rows{rows_of(matrices.front())};
   const CollectionSum sum = collection_sum(30, rows, std::vector<double>{1}, SumWeights::given, DistanceScale::local);
@@ -105,7 +105,7 @@ TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
   EXPECT_GT(scales.least, 0);
 }
 
-TEST(CollectionSum, RejectsInvalidWeightsAndUnits) {
+TEST(CollectionSum, RejectsNegativeMissingOrAllZeroWeightsAndZeroDistances) {
   const Terms terms(grouped_points(20, 5));
   std::vector<RowSource> rows;
   for (const DistanceMatrix& matrix : terms.matrices) rows.push_back(rows_of(matrix));

@@ -101,14 +101,14 @@ DistanceMatrix averaged_reference(const DistanceMatrix& distances, const std::ve
   return with_original(similarities, distances, std::ranges::max(counts), tie);
 }
 
-TEST(Diffusion, MatchesTheDefinition) {
+TEST(Diffusion, MatchesADirectImplementation) {
   const DistanceMatrix distances = distances_of(arcs(15, 3, 1));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DistanceMatrix found = diffused(distances, {.neighbours = 6, .damping = 0.9, .tie = 0.01});
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
 }
 
-TEST(Diffusion, InverseMatchesEigenToTheBit) {
+TEST(Diffusion, InverseIsIdenticalToThatOfTheEigenLibrary) {
   for (const Eigen::Index size : {1, 3, 31, 32, 65, 129, 300, 517}) {
     const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
     const DiffusionOptions options{.neighbours = 5, .tie = 0};
@@ -121,7 +121,7 @@ TEST(Diffusion, InverseMatchesEigenToTheBit) {
   }
 }
 
-TEST(Diffusion, MatchesTheDefinitionWithInfiniteDistances) {
+TEST(Diffusion, MatchesADirectImplementationWithInfiniteDistances) {
   const DistanceMatrix distances = with_gaps(distances_of(arcs(20, 3, 1)));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DiffusionOptions options{.neighbours = 6, .damping = 0.9, .tie = 0.01};
@@ -140,13 +140,13 @@ TEST(Diffusion, SparseRowsMatchTheDenseSolution) {
   EXPECT_LT(largest_difference(symmetric, diffused(distances)), 2e-6);
 }
 
-TEST(Diffusion, FollowsCurvesThatDistancesCut) {
+TEST(Diffusion, ImprovesRetrievalOfCurvedClasses) {
   const DistanceMatrix distances = distances_of(arcs(60, 3, 3));
   EXPECT_LT(first_tier(distances, 60), 0.5);
   EXPECT_GT(first_tier(diffused(distances, {.neighbours = 6, .damping = 0.99}), 60), 0.7);
 }
 
-TEST(Diffusion, TiesKeepTheOriginalOrder) {
+TEST(Diffusion, KeepsTheOriginalOrderOfTies) {
   // Two groups too far apart for any affinity between them.
   Eigen::MatrixXd points = arcs(20, 2, 4);
   points.bottomRows(20).array() += 1000;
@@ -158,7 +158,7 @@ TEST(Diffusion, TiesKeepTheOriginalOrder) {
   }
 }
 
-TEST(AveragedDiffusion, MatchesTheDefinition) {
+TEST(AveragedDiffusion, MatchesADirectImplementation) {
   const DistanceMatrix plain = distances_of(arcs(20, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const DistanceMatrix expected = averaged_reference(distances, {4, 6, 11}, 0.9, 0.01);
@@ -168,21 +168,21 @@ TEST(AveragedDiffusion, MatchesTheDefinition) {
   }
 }
 
-TEST(AveragedDiffusion, AutoIsOfSixNumbersWithoutTheirOrder) {
+TEST(AveragedDiffusion, AutomaticNeighboursAreSixNumbersBetweenFourAndTwenty) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 2));
   const DistanceMatrix automatic = diffused(distances, {.neighbours = {}});
   EXPECT_EQ(automatic, diffused(distances, {.neighbours = {4, 5, 7, 10, 14, 20}}));
   EXPECT_EQ(automatic, diffused(distances, {.neighbours = {20, 4, 14, 5, 10, 7}}));
 }
 
-TEST(AveragedDiffusion, NeedsNoNumberOfNeighboursThatFitsTheClasses) {
+TEST(AveragedDiffusion, DoesNotWorsenRetrievalForClassesOfAnySize) {
   for (const Eigen::Index per_class : {4, 8, 25}) {
     const DistanceMatrix distances = distances_of(clusters(per_class, 12, 3));
     EXPECT_GE(first_tier(diffused(distances, {.neighbours = {}}), per_class), first_tier(distances, per_class));
   }
 }
 
-TEST(DiffusedDiagonal, MatchesTheInverse) {
+TEST(DiffusedDiagonal, MatchesTheDiagonalOfTheInverse) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 5));
   for (const double damping : {0.0, 0.3, 0.95}) {
     const auto graph = diffusion_graph(nearest_models(120, 7, rows_of(distances)), 7);
@@ -216,7 +216,7 @@ void expect_same_answer(const std::vector<RankedModel>& found, const std::vector
   }
 }
 
-TEST(DiffusedNearest, AreTheFirstOfTheRowOfAllModels) {
+TEST(DiffusedNearestModels, MatchTheFirstModelsOfTheWholeSortedRow) {
   const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
   for (const IntegerList& neighbours : {IntegerList{7}, IntegerList{}, IntegerList{4, 9}}) {
     const DiffusionOptions options{.neighbours = neighbours};
@@ -234,7 +234,7 @@ TEST(DiffusedNearest, AreTheFirstOfTheRowOfAllModels) {
   }
 }
 
-TEST(KeptNearest, IsTheNearestBeforeAndTheOthersAreUnchanged) {
+TEST(KeepNearestOption, MovesOnlyTheFormerNearestModelToTheFront) {
   const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
   const DiffusionOptions plain{.neighbours = {}};
   const DiffusionOptions keeping{.neighbours = {}, .keep_nearest = true};
@@ -262,7 +262,7 @@ TEST(KeptNearest, IsTheNearestBeforeAndTheOthersAreUnchanged) {
 }
 
 /// With such a damping, errors of the solver make many distances negative.
-TEST(KeptNearest, IsTheNearestAmongNegativeDistances) {
+TEST(KeepNearestOption, KeepsTheNearestModelFirstAmongNegativeDistances) {
   const DistanceMatrix distances = distances_of(arcs(10, 4, 3));
   const DistanceMatrix kept =
       diffused_by_rows(distances, {.neighbours = {}, .damping = 0.999999, .tie = 0, .keep_nearest = true});
@@ -271,7 +271,7 @@ TEST(KeptNearest, IsTheNearestAmongNegativeDistances) {
   }
 }
 
-TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
+TEST(NearestModelsWithQuery, MatchThoseOfTheExtendedCollection) {
   for (const Eigen::Index models : {1, 3, 6, 40}) {
     Eigen::MatrixXd points = clusters(models + 1, 1, 8);
     if (models > 3) points.row(2) = points.row(models);  // at distance 0 from the last
@@ -280,7 +280,7 @@ TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
     for (const int k : {1, 5, 20}) {
       const NearestModels expected = nearest_models(models + 1, k, rows_of(all));
       const NearestModels found =
-          with_query(nearest_models(models, k, rows_of(before)), all.row(models).head(models), k);
+          append_query(nearest_models(models, k, rows_of(before)), all.row(models).head(models), k);
       EXPECT_EQ(found.indices, expected.indices) << models << ", " << k;
       EXPECT_EQ(found.distances, expected.distances) << models << ", " << k;
       EXPECT_EQ(found.largest, expected.largest);

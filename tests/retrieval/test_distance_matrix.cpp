@@ -30,12 +30,12 @@ DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
   return distance_matrix(signatures);
 }
 
-TEST(DistanceMatrix, ListsItsDistances) {
+TEST(DistanceMatrix, ListsTheNamesOfDistances) {
   EXPECT_THAT(distances().names(),
               testing::ElementsAre("l1", "l2", "cosine", "chi2", "hellinger", "jensen-shannon", "emd"));
 }
 
-TEST(DistanceMatrix, SmallExample) {
+TEST(DistanceMatrix, MatchesASmallExampleByHand) {
   const Signatures signatures{{0, 0}, {1, 2}, {-1, 0.5F}};
   const DistanceMatrix expected{{0, 3, 1.5}, {3, 0, 3.5}, {1.5, 3.5, 0}};
   EXPECT_EQ(distance_matrix(signatures), expected);
@@ -43,7 +43,7 @@ TEST(DistanceMatrix, SmallExample) {
 
 TEST(DistanceMatrix, IsEmptyWithoutSignatures) { EXPECT_EQ(distance_matrix(Signatures(0, 5)).size(), 0); }
 
-TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
+TEST(DistanceMatrix, IsTheSameOnAnyNumberOfThreads) {
   const Signatures signatures = random_signatures(151, 80, 7);
   const DistanceMatrix one = with_threads(signatures, 1);
   EXPECT_EQ(with_threads(signatures, 2), one);
@@ -90,7 +90,7 @@ TEST(DistanceMatrix, ErrorsNameTheDistanceOrTheEntry) {
   }
 }
 
-TEST(DistanceMatrix, RefusesSignaturesOutsideTheDomainOfADistance) {
+TEST(DistanceMatrix, RejectsSignaturesOutsideTheDomainOfADistance) {
   Signatures signatures = Signatures::Ones(3, 2);
   signatures.row(1).setZero();
   for (const char* name : {"cosine", "hellinger", "jensen-shannon", "emd"}) {
@@ -113,7 +113,7 @@ double cancelling_distance(std::span<const float>, std::span<const float>) {
   return 0;
 }
 
-TEST(DistanceMatrix, IsInterruptedWithinATile) {
+TEST(DistanceMatrix, CanBeInterruptedWithinATile) {
   const Signatures signatures = random_signatures(500, 4, 1);
   const SignatureBlock block{signatures, 0};
   Cancellation cancellation;
@@ -125,7 +125,7 @@ TEST(DistanceMatrix, IsInterruptedWithinATile) {
   EXPECT_LE(calls_of_distance, 32) << "the rest of a row of a tile";
 }
 
-RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {
+RC_GTEST_PROP(DistanceMatrix, MatchesEigenExpressionsForEveryPair, ()) {
   const auto rows = *rc::gen::inRange<Eigen::Index>(0, 80);
   const auto columns = *rc::gen::inRange<Eigen::Index>(0, 40);
   const Signatures signatures = random_signatures(rows, columns, *rc::gen::arbitrary<unsigned>());

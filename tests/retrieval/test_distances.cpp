@@ -20,27 +20,27 @@ double distance(const std::string& name, const Vector& a, const Vector& b) {
   return distances().at(name).function(a, b);
 }
 
-TEST(Chi2, WeighsDifferencesByTheirSum) {
+TEST(Chi2Distance, WeighsDifferencesByTheirSum) {
   // (0.25^2 / 0.75 + 0.25^2 / 0.75) / 2, and 0 for the bin that is empty in both.
   EXPECT_NEAR(distance("chi2", Vector{0.5F, 0.25F, 0, 0.25F}, Vector{0.25F, 0.5F, 0, 0.25F}), 1.0 / 12, 1e-15);
   EXPECT_EQ(distance("chi2", Vector{1, 0}, Vector{0, 1}), 1);
 }
 
-TEST(Cosine, MeasuresTheAngleOnly) {
+TEST(CosineDistance, MeasuresOnlyTheAngle) {
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{5, 5}), 1 - std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{0, 3}), 1, 1e-15);
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{-2, 0}), 2, 1e-15);
   EXPECT_EQ(distance("cosine", Vector{1, 2, 3}, Vector{2, 4, 6}), 0);
 }
 
-TEST(Emd, IsTheWorkInBins) {
+TEST(EarthMoversDistance, IsTheMovedMassTimesTheDistanceInBins) {
   EXPECT_EQ(distance("emd", Vector{1, 0, 0, 0}, Vector{0, 0, 0, 1}), 3);
   EXPECT_EQ(distance("emd", Vector{1, 0, 0, 0}, Vector{0, 2, 0, 0}), 1);
   EXPECT_EQ(distance("emd", Vector{0.5F, 0, 0.5F}, Vector{0, 1, 0}), 1);
   EXPECT_EQ(distance("emd", Vector{2}, Vector{5}), 0);
 }
 
-TEST(Hellinger, ComparesSquareRoots) {
+TEST(HellingerDistance, ComparesSquareRoots) {
   // The square root of 1 - sum of sqrt(p q), with p = (1/2, 1/2) and q = (1/8, 7/8).
   EXPECT_NEAR(distance("hellinger", Vector{0.5F, 0.5F}, Vector{0.125F, 0.875F}),
               std::sqrt(1 - std::sqrt(0.5 * 0.125) - std::sqrt(0.5 * 0.875)), 1e-15);
@@ -48,7 +48,7 @@ TEST(Hellinger, ComparesSquareRoots) {
   EXPECT_EQ(distance("hellinger", Vector{1, 2, 1}, Vector{2, 4, 2}), 0);
 }
 
-TEST(JensenShannon, IsTheRootOfTheMeanDivergence) {
+TEST(JensenShannonDistance, IsTheRootOfTheMeanDivergence) {
   // p = (1, 0), q = (1/2, 1/2), mean (3/4, 1/4): 1 log2(4/3) and 1/2 log2(2/3) + 1/2 log2(2).
   const double divergence = (std::log2(4.0 / 3) + 0.5 * std::log2(2.0 / 3) + 0.5) / 2;
   EXPECT_NEAR(distance("jensen-shannon", Vector{1, 0}, Vector{2, 2}), std::sqrt(divergence), 1e-15);
@@ -56,7 +56,7 @@ TEST(JensenShannon, IsTheRootOfTheMeanDivergence) {
   EXPECT_EQ(distance("jensen-shannon", Vector{0.1F, 0.7F}, Vector{0.1F, 0.7F}), 0);
 }
 
-TEST(L2, IsEuclidean) {
+TEST(L2Distance, IsEuclidean) {
   EXPECT_EQ(distance("l2", Vector{1, 2, 5}, Vector{4, 6, 5}), 5);
   EXPECT_EQ(distance("l2", {}, {}), 0);
 }
@@ -70,7 +70,7 @@ std::vector<float> random_histogram(std::mt19937& random) {
 }
 
 // Assumptions of distance matrices.
-TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatures) {
+TEST(DistanceRegistry, DistancesAreSymmetricNonNegativeAndZeroForEqualSignatures) {
   std::mt19937 random(4);
   for (int i = 0; i < 50; ++i) {
     const std::vector<float> a = random_histogram(random);
@@ -84,7 +84,7 @@ TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatu
 }
 
 // Registers a distance as a user of the library would.
-TEST(DistanceRegistry, TakesADistanceFromOutsideTheLibrary) {
+TEST(DistanceRegistry, AcceptsAUserDefinedDistance) {
   distances().add({.name = "chebyshev", .function = [](std::span<const float> a, std::span<const float> b) {
                      double largest = 0;
                      for (std::size_t i = 0; i < a.size(); ++i) {

@@ -15,22 +15,22 @@ DistanceMatrix features_with_offset(double offset) {
   return DistanceMatrix{{0, 1.25, 3}, {1, 4.5, 2}, {5, 9.75, 6}, {2, 3, 3.5}}.array() + offset;
 }
 
-TEST(CheckFeatures, AcceptOrdinaryFeatures) {
+TEST(CheckFeatures, AcceptsOrdinaryFeatures) {
   EXPECT_FALSE(check_features(features_with_offset(0)));
   EXPECT_FALSE(check_features(features_with_offset(0.1)));
 }
 
 // At 1e7 + 0.1 the spacing of single precision is 1.
-TEST(CheckFeatures, WarnOfDifferencesThatSinglePrecisionChanges) {
+TEST(CheckFeatures, WarnsOfDifferencesLostInSinglePrecision) {
   EXPECT_THAT(check_features(features_with_offset(1e7 + 0.1)).value(), HasSubstr("% of the spread"));
   EXPECT_THAT(check_features(features_with_offset(1e9)).value(), HasSubstr("equal others"));
 }
 
-TEST(CheckFeatures, RefuseNumbersBeyondSinglePrecision) {
+TEST(CheckFeatures, RefusesNumbersBeyondSinglePrecision) {
   EXPECT_THROW(check_features(features_with_offset(1e39)), InputError);
 }
 
-TEST(CheckFeatures, RefuseAColumnThatCountsTheRows) {
+TEST(CheckFeatures, RefusesAColumnOfRunningIndices) {
   DistanceMatrix features = DistanceMatrix::Random(12, 3);
   EXPECT_FALSE(check_features(features));
   for (const double first : {0.0, 1.0, 2.0}) {
@@ -45,7 +45,7 @@ TEST(CheckFeatures, RefuseAColumnThatCountsTheRows) {
   }
 }
 
-TEST(CheckFeatures, RefuseDistances) {
+TEST(CheckFeatures, RefusesAMatrixOfDistances) {
   DistanceMatrix distances{{0, 1, 2}, {1, 0, 3}, {2, 3, 0}};
   EXPECT_THROW(check_features(distances), InputError);
   distances(0, 2) = 2.5;

@@ -51,7 +51,7 @@ TEST(SumOfDistances, DividesByTheScaleAndMultipliesByTheWeight) {
   EXPECT_EQ(sum_of_distances(both, weights, DistanceScale::mean)(0, 1), 3 * 0.5 + 2 * 1.0);
 }
 
-TEST(SumOfDistances, MedianAndMeanDiffer) {
+TEST(SumOfDistances, DependsOnWhetherTheScaleIsMedianOrMean) {
   const std::vector one = {line_distances({0, 1, 11})};  // 1, 10, 11
   const std::vector<double> weight = {1};
   EXPECT_EQ(sum_of_distances(one, weight, DistanceScale::median)(0, 1), 0.1);
@@ -66,7 +66,7 @@ TEST(SumOfDistances, DoesNotDependOnTheScaleOfAMatrix) {
   EXPECT_EQ(sum_of_distances(plain, equal), sum_of_distances(scaled, equal));
 }
 
-TEST(FusionOfRanks, ReciprocalRanksMatchTheDefinition) {
+TEST(FusionOfRanks, ReciprocalRanksMatchAHandComputation) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const std::vector one = {a};
   const std::vector<double> weight = {1};
@@ -89,7 +89,7 @@ TEST(FusionOfRanks, BordaCountsLowerRankedModels) {
   EXPECT_NEAR(fused(1, 2), 1 - 3.0 / 4, 1e-15);
 }
 
-TEST(FusionOfRanks, OnlyOrdersMatter) {
+TEST(FusionOfRanks, DependsOnlyOnTheOrderOfDistances) {
   const DistanceMatrix a = random_distances(30, 1);
   const DistanceMatrix b = random_distances(30, 2);
   const std::vector plain = {a, b};
@@ -112,7 +112,7 @@ TEST(FusionOfRanks, AWeightOfZeroExcludesAMatrix) {
 
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
-TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
+TEST(SumOfDistances, KeepsInfiniteDistancesAndExcludesThemFromScales) {
   DistanceMatrix a = line_distances({0, 1, 3});
   DistanceMatrix b = line_distances({0, 4, 6});
   a(0, 2) = a(2, 0) = unreachable;  // 1 and 2 are left: median 2, mean 1.5
@@ -128,7 +128,7 @@ TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
   }
 }
 
-TEST(SumOfDistances, HandlesHugeDistances) {
+TEST(SumOfDistances, DoesNotOverflowForHugeDistances) {
   const DistanceMatrix a = random_distances(20, 1);
   const DistanceMatrix b = random_distances(20, 2);
   const std::vector plain = {a, b};
@@ -174,7 +174,7 @@ DistanceMatrix local_reference(const std::vector<DistanceMatrix>& matrices, cons
 
 const std::vector<double> unequal = {1, 0.25};
 
-TEST(LocalScale, MatchesTheDefinition) {
+TEST(LocalScale, MatchesADirectImplementation) {
   const std::vector plain = {random_distances(40, 1), test::distances_of(test::arcs(20, 2, 2))};
   std::vector gaps = plain;
   gaps[1] = test::with_gaps(gaps[1]);
@@ -193,7 +193,7 @@ TEST(LocalScale, MatchesTheDefinition) {
   }
 }
 
-TEST(LocalScale, BringsLooseAndTightGroupsToOneScale) {
+TEST(LocalScale, EqualisesLooseAndTightGroups) {
   // The second group is the first, a hundred times as large.
   const DistanceMatrix group = random_distances(12, 4);
   DistanceMatrix both = DistanceMatrix::Constant(24, 24, 1000);
@@ -203,7 +203,7 @@ TEST(LocalScale, BringsLooseAndTightGroupsToOneScale) {
   EXPECT_LT((scaled.topLeftCorner(12, 12) - scaled.bottomRightCorner(12, 12)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-RC_GTEST_PROP(LocalScale, UnitsOfAMatrixDoNotMatter, ()) {
+RC_GTEST_PROP(LocalScale, DoesNotDependOnTheUnitsOfAMatrix, ()) {
   const auto size = *rc::gen::inRange<Eigen::Index>(1, 30);
   const std::vector<DistanceMatrix> plain = {random_distances(size, *rc::gen::arbitrary<std::uint64_t>()),
                                              random_distances(size, *rc::gen::arbitrary<std::uint64_t>())};
@@ -213,7 +213,7 @@ RC_GTEST_PROP(LocalScale, UnitsOfAMatrixDoNotMatter, ()) {
   RC_ASSERT((found - expected).cwiseAbs().maxCoeff() <= 1e-12 * expected.maxCoeff());
 }
 
-TEST(LocalScale, FewModelsEqualOnesAndFarOnesAreNoTrouble) {
+TEST(LocalScale, IsDefinedForFewEqualAndInfinitelyFarModels) {
   const auto alone = [](const DistanceMatrix& matrix) {
     return sum_of_distances({&matrix, 1}, std::vector<double>{1}, DistanceScale::local);
   };
@@ -253,7 +253,7 @@ double common(const std::set<Eigen::Index>& a, const std::set<Eigen::Index>& b) 
   return static_cast<double>(std::ranges::count_if(a, [&](Eigen::Index model) { return b.contains(model); }));
 }
 
-TEST(SumWeights, MatchTheDefinition) {
+TEST(SumWeights, ByAgreementMatchADirectImplementation) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
   const std::vector<double> given = {1, 0.5, 2};
   const std::vector<double> found = sum_weights(matrices, given, SumWeights::agreement);
@@ -281,7 +281,7 @@ TEST(SumWeights, MatchTheDefinition) {
   EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
 }
 
-TEST(SumWeights, AreSmallForRandomDistances) {
+TEST(SumWeights, ByAgreementOfNeighboursAreSmallForRandomDistances) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(0.3, 2), random_distances(30, 3)};
   const std::vector<double> weights = sum_weights(matrices, std::vector<double>(3, 1), SumWeights::agreement);
   EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
@@ -300,7 +300,7 @@ TEST(SumWeights, DoNotDependOnTheOrderOfModels) {
   EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
 }
 
-TEST(SumWeights, FallBackToTheGivenWeights) {
+TEST(SumWeights, AreUnchangedIfNoMatricesAgree) {
   const std::vector<DistanceMatrix> constant = {DistanceMatrix::Constant(20, 20, 1),
                                                 DistanceMatrix::Constant(20, 20, 2)};
   const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
@@ -313,13 +313,13 @@ TEST(SumWeights, FallBackToTheGivenWeights) {
   EXPECT_EQ(sum_weights(few, unequal, SumWeights::agreement), unequal);  // all models are near each other
 }
 
-TEST(LocalSpread, IsTheSameAsRanks) {
+TEST(LocalSpreadScale, GivesTheSumsOfTheRanksScale) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), random_distances(30, 3)};
   EXPECT_EQ(sum_of_distances(matrices, unequal, DistanceScale::local_spread),
             sum_of_distances(matrices, unequal, DistanceScale::ranks));
 }
 
-TEST(Disagreement, FindsMatricesWithDifferentGroups) {
+TEST(DisagreementWarning, FindsMatricesWithDifferentGroups) {
   const DistanceMatrix groups = test::distances_of(test::clusters(20, 6, 1));
   const std::vector<Eigen::Index> order = test::random_order(120, 5);
   const std::vector<DistanceMatrix> others = {groups, groups.cwiseAbs2(), groups(order, order)};
@@ -331,7 +331,7 @@ TEST(Disagreement, FindsMatricesWithDifferentGroups) {
   EXPECT_FALSE(find_disagreement({others.data(), 2}, equal));
 }
 
-TEST(Fusion, SameBytesOnAnyNumberOfThreads) {
+TEST(DistanceFusion, IsTheSameOnAnyNumberOfThreads) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), test::with_gaps(noisy_classes(1, 2))};
   const auto on = [&](int threads) {
     tbb::task_arena arena(threads);
@@ -343,7 +343,7 @@ TEST(Fusion, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.data(), on(4).data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(FusionOfRanks, UnrankedModelsStayInfinite) {
+TEST(FusionOfRanks, KeepsInfiniteDistancesOfUnrankedModels) {
   DistanceMatrix a = line_distances({0, 1, 3, 4});
   const DistanceMatrix b = a;
   for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = unreachable;
@@ -360,7 +360,7 @@ TEST(FusionOfRanks, UnrankedModelsStayInfinite) {
   }
 }
 
-TEST(Fusion, RejectsIncompatibleMatrices) {
+TEST(DistanceFusion, RejectsMatricesOfDifferentSizesAndInvalidDistances) {
   const DistanceMatrix a = random_distances(5, 1);
   DistanceMatrix broken = a;
   broken(1, 2) = std::numeric_limits<double>::quiet_NaN();

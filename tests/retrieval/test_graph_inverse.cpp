@@ -22,7 +22,7 @@ Eigen::MatrixXd random_graph(Eigen::Index size) {
   return roots.asDiagonal() * graph * roots.asDiagonal();
 }
 
-class GraphInverse : public testing::TestWithParam<double> {
+class DiffusionGraphInverse : public testing::TestWithParam<double> {
  protected:
   Eigen::MatrixXd dense_ = random_graph(50);
   WalkGraph graph_ = dense_.sparseView();
@@ -30,12 +30,12 @@ class GraphInverse : public testing::TestWithParam<double> {
   Eigen::MatrixXd inverse_ = system_.llt().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(50, 50)));
 };
 
-TEST_P(GraphInverse, HasTheseColumns) {
+TEST_P(DiffusionGraphInverse, ColumnSolverMatchesTheDenseInverse) {
   const FloatColumns columns = ColumnSolver(graph_, GetParam()).columns(17, 20);
   EXPECT_LT((columns.cast<double>() - inverse_.middleCols(17, 20)).cwiseAbs().maxCoeff(), 2e-6 * inverse_.maxCoeff());
 }
 
-TEST_P(GraphInverse, HasThisDiagonal) {
+TEST_P(DiffusionGraphInverse, DiagonalSolverMatchesTheDenseInverse) {
   const std::array<Eigen::Index, 3> models{40, 0, 13};
   const Eigen::VectorXd entries = DiagonalSolver(graph_, GetParam()).entries(models);
   for (std::size_t k = 0; k < models.size(); ++k) {
@@ -43,9 +43,11 @@ TEST_P(GraphInverse, HasThisDiagonal) {
   }
 }
 
-TEST_P(GraphInverse, DenseInverseMatchesEigenToTheBit) { EXPECT_EQ(positive_definite_inverse(system_), inverse_); }
+TEST_P(DiffusionGraphInverse, DenseInverseIsIdenticalToThatOfTheEigenLibrary) {
+  EXPECT_EQ(positive_definite_inverse(system_), inverse_);
+}
 
-INSTANTIATE_TEST_SUITE_P(Damping, GraphInverse, testing::Values(0, 0.3, 0.95));
+INSTANTIATE_TEST_SUITE_P(Damping, DiffusionGraphInverse, testing::Values(0, 0.3, 0.95));
 
 }  // namespace
 }  // namespace shapegauge

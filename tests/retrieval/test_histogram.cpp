@@ -40,22 +40,22 @@ TEST(Histogram, CountsEachValueByItsWeight) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.375F, 0.625F}));
 }
 
-TEST(Histogram, BinsIncludeTheirLowerBoundAndTheLastAlsoTheUpper) {
+TEST(Histogram, IncludesLowerBoundsOfBinsAndTheUpperBoundOfTheLast) {
   const auto result = histogram(evenly_weighted({0, 1, 2, 3, 4}), {0, 4}, with_bins(4));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.2F, 0.2F, 0.2F, 0.4F}));
 }
 
-TEST(Histogram, ValuesBeyondTheRangeCountInTheOuterBins) {
+TEST(Histogram, CountsValuesBeyondTheRangeInTheOuterBins) {
   const auto result = histogram(evenly_weighted({-infinity, -1e300, 0.5, 1e300, infinity}), {0, 0.9}, with_bins(3));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.4F, 0.2F, 0.4F}));
 }
 
-TEST(Histogram, NanAndWeightZeroDoNotCount) {
+TEST(Histogram, IgnoresNanAndZeroWeights) {
   const auto result = histogram(field_of({nan, 0.1, 0.9, 0.9}, {5, 1, 0, 1}), {0, 1}, with_bins(2));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.5F, 0.5F}));
 }
 
-TEST(Histogram, ARangeNoWiderThanRoundingPutsAllInTheFirstBin) {
+TEST(Histogram, PutsAllValuesInTheFirstBinForARangeWithinRounding) {
   const double above = 1 + 4e-16;
   EXPECT_EQ(bins_of(histogram(evenly_weighted({1, above}), {1, above}, with_bins(3))), (std::vector<float>{1, 0, 0}));
   EXPECT_EQ(bins_of(histogram(evenly_weighted({1, 1 + 2e-9}), {1, 1 + 2e-9}, with_bins(2))),
@@ -66,7 +66,7 @@ TEST(Histogram, ARangeNoWiderThanRoundingPutsAllInTheFirstBin) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{1, 0, 0}));
 }
 
-TEST(Histogram, RejectsInputWithoutAHistogram) {
+TEST(Histogram, RejectsFieldsWithoutValuesOrWithInvalidWeights) {
   const Interval range{0, 1};
   EXPECT_THROW(histogram(evenly_weighted({}), range, {}), ArgumentError);
   EXPECT_THROW(histogram(evenly_weighted({nan, nan}), range, {}), ArgumentError);
@@ -134,7 +134,7 @@ TEST(ValueRange, IsEmptyWithoutValidValues) {
   EXPECT_FALSE(value_range(field_of({nan, 1}, {1, 0})));
 }
 
-TEST(EnclosingInterval, IsTheSmallestEnclosingInterval) {
+TEST(EnclosingInterval, IsTheSmallestThatContainsAllIntervals) {
   const std::vector<Interval> intervals = {{2, 3}, {-1, 0}, {0, 2.5}};
   const Interval enclosing = enclosing_interval(intervals);
   EXPECT_EQ(enclosing.low, -1);
@@ -181,13 +181,13 @@ double deviation_up_to(Eigen::Index bins) {
   return static_cast<double>(*rc::gen::inRange<Eigen::Index>(1, bins * 100 + 1)) / 100.0;
 }
 
-TEST(GaussianSmoothing, NoneAtZero) {
+TEST(GaussianSmoothing, KeepsTheHistogramUnchangedForWidthZero) {
   const Eigen::VectorXd histogram = Eigen::VectorXd::LinSpaced(5, 1, 5);
   EXPECT_EQ(smooth_gaussian(histogram, 0), histogram);
 }
 
 // At a border mass is reflected: computed by hand for unit mass in bin 0.
-TEST(GaussianSmoothing, MassAtABorderIsMirrored) {
+TEST(GaussianSmoothing, MirrorsMassAtTheBorders) {
   const Eigen::VectorXd histogram = Eigen::VectorXd::Unit(9, 0);
   const Eigen::VectorXd result = smooth_gaussian(histogram, 1);
   const auto g = [](int offset) { return std::exp(-0.5 * offset * offset); };
@@ -207,14 +207,14 @@ TEST(GaussianSmoothing, RejectsWidthsOutOfRange) {
   EXPECT_THROW(smooth_gaussian(histogram, std::numeric_limits<double>::quiet_NaN()), ArgumentError);
 }
 
-RC_GTEST_PROP(GaussianSmoothing, AgreesWithTheSumWrittenOut, ()) {
+RC_GTEST_PROP(GaussianSmoothing, MatchesTheDirectSum, ()) {
   const Eigen::VectorXd histogram = *histograms();
   const double deviation = deviation_up_to(histogram.size());
   const Eigen::VectorXd difference = smooth_gaussian(histogram, deviation) - smoothed_naively(histogram, deviation);
   RC_ASSERT(difference.cwiseAbs().maxCoeff() <= 1e-12 * (1 + histogram.sum()));
 }
 
-RC_GTEST_PROP(GaussianSmoothing, KeepsTheUniformHistogram, ()) {
+RC_GTEST_PROP(GaussianSmoothing, KeepsAUniformHistogramUnchanged, ()) {
   const Eigen::VectorXd uniform = Eigen::VectorXd::Ones((*histograms()).size());
   RC_ASSERT((smooth_gaussian(uniform, deviation_up_to(uniform.size())) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
 }
@@ -227,17 +227,17 @@ double distance_between(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(Concatenate, PutsPartsSideBySideEachWithItsShare) {
+TEST(ConcatenateHistograms, DividesEachHistogramByTheNumberOfHistograms) {
   const std::vector<Eigen::VectorXf> parts = {vector_of({0.5F, 0.5F}), vector_of({0.25F, 0.25F, 0.5F})};
   EXPECT_EQ(concatenate(parts), vector_of({0.25F, 0.25F, 0.125F, 0.125F, 0.25F}));
 }
 
-TEST(Concatenate, KeepsTheProportionOfPartsOfUnequalSum) {
+TEST(ConcatenateHistograms, KeepsTheProportionOfUnequalSums) {
   const std::vector<Eigen::VectorXf> parts = {vector_of({3}), vector_of({0, 1})};
   EXPECT_EQ(concatenate(parts), vector_of({0.75F, 0, 0.25F}));
 }
 
-TEST(Concatenate, WorksRowByRow) {
+TEST(ConcatenateHistograms, JoinsSignaturesRowByRow) {
   const Signatures left{{1}, {2}};
   const Signatures right{{1, 0}, {0, 2}};
   const std::vector<Signatures> parts = {left, right};
@@ -245,7 +245,7 @@ TEST(Concatenate, WorksRowByRow) {
   EXPECT_EQ(concatenate(parts), expected);
 }
 
-TEST(Concatenate, RejectsHistogramsThatCannotBeNormalised) {
+TEST(ConcatenateHistograms, RejectsHistogramsThatCannotBeNormalised) {
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{}), ArgumentError);
   EXPECT_THROW(concatenate(std::vector<Signatures>{}), ArgumentError);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({0, 0})}), ArgumentError);
@@ -256,7 +256,7 @@ TEST(Concatenate, RejectsHistogramsThatCannotBeNormalised) {
   EXPECT_THROW(concatenate(unequal), ArgumentError);
 }
 
-RC_GTEST_PROP(Concatenate, L1DistanceIsTheMeanOfThePartsDistances, ()) {
+RC_GTEST_PROP(ConcatenateHistograms, GivesTheMeanOfTheirL1Distances, ()) {
   const auto bins = *rc::gen::inRange<std::size_t>(1, 20);
   const auto count = *rc::gen::inRange<std::size_t>(1, 5);
   const auto random_histogram = [&] {

@@ -74,7 +74,7 @@ DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size
   return mean_with_transposed(result);
 }
 
-TEST(KReciprocal, NeighboursOfEachOtherAreNearerThanOthers) {
+TEST(KReciprocalReranking, MovesMutualNeighboursCloser) {
   // 0 to 3 are near each other; 4 is nearer to 3 than 0 is, but its own neighbours are nearer.
   const std::vector<double> places = {0, 1, 2, 3, 5.5, 5.6, 5.7, 5.8};
   Eigen::MatrixXd points(8, 1);
@@ -86,7 +86,7 @@ TEST(KReciprocal, NeighboursOfEachOtherAreNearerThanOthers) {
   EXPECT_NEAR(found(3, 4), 1, 1e-12);
 }
 
-TEST(KReciprocal, MatchesTheDefinition) {
+TEST(KReciprocalReranking, MatchesADirectImplementation) {
   for (const DistanceMatrix& plain : {distances_of(arcs(9, 3, 1)), distances_of(clusters(8, 4, 2))}) {
     for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
       for (const int k1 : {5, 8}) {
@@ -102,7 +102,7 @@ TEST(KReciprocal, MatchesTheDefinition) {
   }
 }
 
-TEST(KReciprocal, AveragesSeveralNumbersOfNeighbours) {
+TEST(KReciprocalReranking, AveragesSeveralNumbersOfNeighbours) {
   const DistanceMatrix plain = distances_of(arcs(9, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const auto alone = [&](std::int64_t k, int expansion) {

@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(L1, SumsAbsoluteDifferences) {
+TEST(L1Distance, SumsAbsoluteDifferences) {
   const std::vector<float> a = {1, 0.5F, -2};
   const std::vector<float> b = {0, 0.75F, 1};
   EXPECT_EQ(l1_distance(a, b), 4.25);
@@ -26,20 +26,20 @@ TEST(L1, SumsAbsoluteDifferences) {
   EXPECT_EQ(l1_distance(a, a), 0);
 }
 
-TEST(L1, IsTwoForDisjointHistograms) {
+TEST(L1Distance, IsTwoForDisjointHistograms) {
   const std::vector<float> a = {0.5F, 0.5F, 0, 0};
   const std::vector<float> b = {0, 0, 0.25F, 0.75F};
   EXPECT_EQ(l1_distance(a, b), 2);
 }
 
-TEST(L1, SumsInDoublePrecision) {
+TEST(L1Distance, SumsInDoublePrecision) {
   // 2^24 + 1 is not a float; a single-precision sum would lose the last entry.
   const std::vector<float> a = {16777216.0F, 1};
   const std::vector<float> b = {0, 0};
   EXPECT_EQ(l1_distance(a, b), 16777217.0);
 }
 
-TEST(L1, OfNothingIsZero) { EXPECT_EQ(l1_distance({}, {}), 0); }
+TEST(L1Distance, OfEmptySignaturesIsZero) { EXPECT_EQ(l1_distance({}, {}), 0); }
 
 // Definition in the header, entry by entry.
 double eight_sums(std::span<const float> a, std::span<const float> b) {
@@ -50,7 +50,7 @@ double eight_sums(std::span<const float> a, std::span<const float> b) {
   return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
 }
 
-TEST(L1, BlocksEqualSingleDistancesBitByBit) {
+TEST(L1Distance, OfBlocksIsIdenticalToSingleDistances) {
   RandomNumbers random(1);
   const auto entries = [&](std::size_t count) {
     std::vector<float> result(count);
@@ -75,7 +75,7 @@ TEST(L1, BlocksEqualSingleDistancesBitByBit) {
   }
 }
 
-TEST(L1, IsTheSameBitByBitOnEveryInstructionSet) {
+TEST(L1Distance, IsIdenticalOnEveryInstructionSet) {
   RandomNumbers random(2);
   std::vector<float> signatures(9 * 243);
   for (float& entry : signatures) entry = static_cast<float>(random.uniform(0, 1));
@@ -90,13 +90,13 @@ TEST(L1, IsTheSameBitByBitOnEveryInstructionSet) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-TEST(L1, OfSeveralOfNothingIsZero) {
+TEST(L1Distance, OfBlocksOfEmptySignaturesIsZero) {
   std::vector<double> distances(6, 1);
   l1_distances({}, {}, 0, distances);
   EXPECT_THAT(distances, testing::Each(0));
 }
 
-RC_GTEST_PROP(L1, IsWithinItsBoundOfTheSumInHigherPrecision, ()) {
+RC_GTEST_PROP(L1Distance, IsWithinItsErrorBoundOfTheExactSum, ()) {
   const auto size = *rc::gen::inRange<std::size_t>(1, 300);
   RandomNumbers random(*rc::gen::arbitrary<unsigned>(), 0);
   const double differences = std::pow(10, random.uniform(-12, 0));  // of entries, relative to themselves

@@ -25,7 +25,7 @@ DistanceMatrix log_ranks(const DistanceMatrix& matrix) {
   const auto row = [&](Eigen::Index i) {
     return std::span(matrix.row(i).data(), static_cast<std::size_t>(matrix.cols()));
   };
-  DistanceMatrix at_ranks(matrix.rows(), count_of_ranks(matrix.rows()));
+  DistanceMatrix at_ranks(matrix.rows(), sampled_rank_count(matrix.rows()));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) at_ranks.row(i) = distances_at_ranks(row(i), i);
   DistanceMatrix found(matrix.rows(), matrix.cols());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) found.row(i) = log_mutual_ranks(row(i), at_ranks.row(i), at_ranks);
@@ -60,7 +60,7 @@ TEST(MutualRanks, AreExactForFewModels) {
   }
 }
 
-TEST(MutualRanks, AreWithinASixteenthForManyModels) {
+TEST(MutualRanks, AreExactToASixteenthInLogForManyModels) {
   const DistanceMatrix matrix = uniform_distances(500, 2);
   const DistanceMatrix found = log_ranks(matrix);
   for (Eigen::Index i = 0; i < 500; ++i) {
@@ -68,13 +68,13 @@ TEST(MutualRanks, AreWithinASixteenthForManyModels) {
   }
 }
 
-TEST(MutualRanks, DependOnOrdersOnly) {
+TEST(MutualRanks, DependOnlyOnTheOrderOfDistances) {
   const DistanceMatrix matrix = uniform_distances(33, 3);
   EXPECT_EQ(log_ranks(matrix.cwiseAbs2()), log_ranks(matrix));
   EXPECT_EQ(log_ranks(1e300 * matrix.cwiseSqrt()), log_ranks(matrix));
 }
 
-TEST(MutualRanks, AQueryCloserThanTheNearestHasRankBelowOne) {
+TEST(MutualRanks, AreBelowOneForAQueryCloserThanTheNearest) {
   const std::vector<double> line{0, 2, 4};
   const Eigen::RowVectorXd at_ranks = distances_at_ranks(line, 0);
   EXPECT_EQ(at_ranks, (Eigen::RowVectorXd{{2, 4}}));

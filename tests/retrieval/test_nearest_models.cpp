@@ -29,14 +29,14 @@ TEST(NearestModels, AreSortedWithTiesByIndexAndExcludeInfiniteDistances) {
   EXPECT_EQ(nearest.largest, 2);
 }
 
-TEST(NearestModels, AreAtMostAllOthers) {
+TEST(NearestModels, AreNoMoreThanAllOtherModels) {
   const DistanceMatrix matrix = with_a_far_model();
   EXPECT_EQ(nearest_models(4, 100, rows_of(matrix)).indices.cols(), 3);
   const DistanceMatrix alone = DistanceMatrix::Zero(1, 1);
   EXPECT_EQ(nearest_models(1, 1, rows_of(alone)).indices.cols(), 0);
 }
 
-TEST(NearestModels, RefuseWrongNumbers) {
+TEST(NearestModels, RejectZeroNeighboursAndRowsOfAnotherLength) {
   DistanceMatrix matrix = with_a_far_model();
   EXPECT_THROW(nearest_models(4, 0, rows_of(matrix)), ArgumentError);
   EXPECT_THROW(nearest_models(3, 1, rows_of(matrix)), ArgumentError) << "rows of another length";
@@ -44,7 +44,7 @@ TEST(NearestModels, RefuseWrongNumbers) {
   EXPECT_THROW(rows_of(wide), ArgumentError);
 }
 
-TEST(NearestModels, NameTheInvalidDistance) {
+TEST(NearestModels, ReportTheModelsOfAnInvalidDistance) {
   for (const double wrong : {-1.0, std::nan("")}) {
     DistanceMatrix matrix = DistanceMatrix::Ones(300, 300);  // of two blocks
     matrix(270, 3) = wrong;
@@ -57,7 +57,7 @@ TEST(NearestModels, NameTheInvalidDistance) {
   }
 }
 
-TEST(ForEachBlock, VisitsEachRowOnceInOrder) {
+TEST(ForEachBlockOfRows, VisitsEachRowOnceInOrder) {
   const DistanceMatrix matrix = DistanceMatrix::Random(600, 600);
   std::vector<Eigen::Index> firsts;
   DistanceMatrix seen(0, 600);
@@ -69,30 +69,30 @@ TEST(ForEachBlock, VisitsEachRowOnceInOrder) {
   EXPECT_EQ(seen, matrix);
 }
 
-TEST(OverflowSafeMean, OfHugeDistancesIsFinite) {
+TEST(OverflowSafeMean, IsFiniteForHugeDistances) {
   EXPECT_EQ(overflow_safe_mean(std::vector<double>{1, 2, 6}), 3);
   EXPECT_TRUE(std::isnan(overflow_safe_mean({})));
   const double most = std::numeric_limits<double>::max();
   EXPECT_EQ(overflow_safe_mean(std::vector<double>{most, most}), most);
 }
 
-TEST(MeanDistance, IgnoresInfiniteOnesIfThereAreFiniteOnes) {
+TEST(MeanDistance, IgnoresInfiniteDistancesIfThereAreFiniteOnes) {
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, 2, 6}}), 3);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, no_distance, 3}}), 2);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
 }
 
-TEST(SafeFactor, ScalesExtremeDistancesToFiniteSquares) {
-  EXPECT_EQ(safe_factor(1), 1);
-  EXPECT_EQ(safe_factor(0), 1);
+TEST(OverflowSafeFactor, ScalesExtremeDistancesToFiniteSquares) {
+  EXPECT_EQ(overflow_safe_factor(1), 1);
+  EXPECT_EQ(overflow_safe_factor(0), 1);
   for (const double extreme : {1e300, 1e-300}) {
-    const double moved = extreme * safe_factor(extreme);
-    EXPECT_NE(safe_factor(extreme), 1);
-    EXPECT_EQ(moved / safe_factor(extreme), extreme) << "a power of two";
+    const double moved = extreme * overflow_safe_factor(extreme);
+    EXPECT_NE(overflow_safe_factor(extreme), 1);
+    EXPECT_EQ(moved / overflow_safe_factor(extreme), extreme) << "a power of two";
   }
 }
 
-TEST(Symmetric, IsTheMeanWithBothDirectionsAndZeroOnTheDiagonal) {
+TEST(Symmetrise, AveragesBothDirectionsAndClearsTheDiagonal) {
   EXPECT_EQ(symmetrise(DistanceMatrix{{5, 1}, {3, 7}}), (DistanceMatrix{{0, 2}, {2, 0}}));
 }
 

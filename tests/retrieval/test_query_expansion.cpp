@@ -42,14 +42,14 @@ DistanceMatrix expansion_reference(const DistanceMatrix& distances, std::size_t 
   return mean_with_transposed(result);
 }
 
-TEST(QueryExpansion, MatchesTheDefinition) {
+TEST(QueryExpansion, MatchesADirectImplementation) {
   const DistanceMatrix plain = distances_of(arcs(15, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     expect_near(query_expansion(distances, {.neighbours = 4}), expansion_reference(distances, 4), 1e-12);
   }
 }
 
-TEST(QueryExpansion, IsTheWeightedMeanOfRows) {
+TEST(QueryExpansion, IsTheWeightedMeanOfTheRowsOfNeighbours) {
   const Eigen::MatrixXd points{{0}, {1}, {3}};
   // Rows with their nearest: (0 1 3) + (1 0 2) / 2, over 1.5; (1 0 2) + (0 1 3) / 2; (3 2 0) + (1 0 2) / 2.
   const DistanceMatrix found = query_expansion(distances_of(points), {.neighbours = 1});

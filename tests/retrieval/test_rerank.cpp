@@ -34,9 +34,9 @@ struct Method {
   DistanceMatrix (*rerank)(const DistanceMatrix&);
 };
 
-class Reranking : public testing::TestWithParam<Method> {};
+class EachRerankMethod : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(
-    All, Reranking,
+    All, EachRerankMethod,
     testing::Values(
         Method{"diffusion", [](const DistanceMatrix& d) { return diffused(d); }},
         Method{"diffusion_by_rows", [](const DistanceMatrix& d) { return diffused_by_rows(d); }},
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                [](const DistanceMatrix& d) { return query_expansion(d, {.neighbours = {}}); }}),
     [](const auto& method) { return std::string(method.param.name); });
 
-TEST_P(Reranking, PermutedModelsHavePermutedDistances) {
+TEST_P(EachRerankMethod, PermutesDistancesWithTheModels) {
   const Eigen::MatrixXd points = arcs(25, 3, 5);
   const std::vector<Eigen::Index> order = random_order(points.rows(), 1);
   const DistanceMatrix expected = GetParam().rerank(distances_of(points));
@@ -58,14 +58,14 @@ TEST_P(Reranking, PermutedModelsHavePermutedDistances) {
   EXPECT_LT(largest_difference(found, expected(order, order)), 2e-6);
 }
 
-TEST_P(Reranking, ImprovesClassesAndTheScaleDoesNotMatter) {
+TEST_P(EachRerankMethod, ImprovesRetrievalAtAnyScaleOfDistances) {
   const DistanceMatrix distances = distances_of(clusters(20, 5, 6));
   const DistanceMatrix found = GetParam().rerank(distances);
   EXPECT_GT(first_tier(found, 20), first_tier(distances, 20));
   EXPECT_EQ(first_tier(GetParam().rerank(4 * distances), 20), first_tier(found, 20));
 }
 
-TEST_P(Reranking, SameBytesOnAnyNumberOfThreads) {
+TEST_P(EachRerankMethod, GivesTheSameResultOnAnyNumberOfThreads) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 7));
   const auto on = [&](int threads) {
     tbb::task_arena arena(threads);
@@ -76,7 +76,7 @@ TEST_P(Reranking, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.data(), four.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST_P(Reranking, HandlesFewAndEqualModels) {
+TEST_P(EachRerankMethod, GivesFiniteDistancesForFewModelsAndForEqualModels) {
   for (const Eigen::Index size : {1, 2, 3}) {
     const DistanceMatrix found = GetParam().rerank(distances_of(arcs(size, 1, 1)));
     EXPECT_EQ(found.rows(), size);
@@ -94,7 +94,7 @@ DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
   return result;
 }
 
-TEST_P(Reranking, IsolatedModelsDoNotAffectOthers) {
+TEST_P(EachRerankMethod, KeepsResultsUnchangedByIsolatedModels) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
   expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
@@ -104,7 +104,7 @@ TEST_P(Reranking, IsolatedModelsDoNotAffectOthers) {
   EXPECT_EQ(GetParam().rerank(nothing), all_isolated);
 }
 
-TEST_P(Reranking, HandlesHugeAndTinyDistances) {
+TEST_P(EachRerankMethod, GivesTheSameDistancesAtHugeAndTinyScales) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
   const bool has_unit = std::string_view(GetParam().name).ends_with("query_expansion");
@@ -114,7 +114,7 @@ TEST_P(Reranking, HandlesHugeAndTinyDistances) {
   }
 }
 
-TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
+TEST_P(EachRerankMethod, KeepsDistancesFiniteWithOneFarModel) {
   for (const double far : {1e154, 1e200, 1e308, std::numeric_limits<double>::max()}) {
     DistanceMatrix distances = distances_of(arcs(10, 3, 5));
     distances.row(4).setConstant(far);
@@ -126,7 +126,7 @@ TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
   }
 }
 
-TEST_P(Reranking, IgnoresTheDiagonal) {
+TEST_P(EachRerankMethod, IgnoresTheDiagonal) {
   DistanceMatrix distances = distances_of(arcs(10, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
   for (const double own : {no_neighbour, 1e308, 0.5}) {
@@ -135,7 +135,7 @@ TEST_P(Reranking, IgnoresTheDiagonal) {
   }
 }
 
-TEST_P(Reranking, CanBeInterrupted) {
+TEST_P(EachRerankMethod, CanBeInterrupted) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 7));
   Cancellation cancellation;
   EXPECT_THROW(cancellation.run([&] {
@@ -146,7 +146,7 @@ TEST_P(Reranking, CanBeInterrupted) {
                Interrupted);
 }
 
-TEST_P(Reranking, RejectsInvalidDistances) {
+TEST_P(EachRerankMethod, RejectsNegativeAndNanDistances) {
   DistanceMatrix distances = distances_of(arcs(5, 2, 1));
   distances(2, 3) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
@@ -154,16 +154,7 @@ TEST_P(Reranking, RejectsInvalidDistances) {
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
 }
 
-TEST(NearestModels, AreSortedWithTiesByIndex) {
-  const DistanceMatrix distances{{0, 2, 1, 2}, {2, 0, 3, 1}, {1, 3, 0, 3}, {2, 1, 3, 0}};
-  const NearestModels nearest = nearest_models(4, 2, rows_of(distances));
-  EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
-  EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{3, 0}));
-  EXPECT_EQ(nearest.distances(2, 1), 3);
-  EXPECT_EQ(nearest.indices(2, 1), 1);
-}
-
-TEST(RerankMethods, RefuseOneWithoutAFunction) {
+TEST(RerankMethods, RefuseAMethodWithoutAFunction) {
   EXPECT_THROW(rerank_methods().add({.name = "test_none", .description = "", .parameters = {}}), ArgumentError);
   EXPECT_EQ(rerank_methods().find("test_none"), nullptr);
 }

@@ -88,7 +88,7 @@ double min_cost_by_boost(const Problem& problem) {
   return static_cast<double>(constant + flow) / 8;
 }
 
-RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsIsTheMinimumCutOfBoost, ()) {
+RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsMatchesTheMinimumCutByBoost, ()) {
   const auto nodes = *rc::gen::inRange<std::int32_t>(1, 40);
   const Problem problem = arbitrary_problem(nodes, 2);
   Labels start(static_cast<std::size_t>(nodes), 0);
@@ -97,7 +97,7 @@ RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsIsTheMinimumCutOfBoost, ()) {
   RC_ASSERT(labelling_cost(labels, problem.costs, problem.edges) == min_cost_by_boost(problem));
 }
 
-RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
+RC_GTEST_PROP(AlphaExpansion, CostStaysWithinTheBoundOfTheOptimum, ()) {
   const auto nodes = *rc::gen::inRange<std::int32_t>(1, 7);
   const Problem problem = arbitrary_problem(nodes, 3);
   const Labels start(static_cast<std::size_t>(nodes), 2);
@@ -112,7 +112,7 @@ RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
   RC_ASSERT(cost <= labelling_cost(start, problem.costs, problem.edges));
 }
 
-TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
+TEST(AlphaExpansion, GivesNodesOfStrongEdgesOneLabel) {
   const Eigen::MatrixXd costs{
       {0, 5}, {2, 0}, {0, 2}, {5, 0}};  // the data terms of the two in the middle favour the opposite labels
   std::vector<LabelEdge> edges = {{0, 1, 3}, {1, 2, 0.5}, {2, 3, 3}};
@@ -121,14 +121,14 @@ TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
   EXPECT_EQ(alpha_expansion(costs, edges, {0, 0, 0, 0}), (Labels{0, 1, 0, 1}));
 }
 
-TEST(AlphaExpansion, AnEdgePullsEitherEnd) {
+TEST(AlphaExpansion, DoesNotDependOnTheDirectionOfEdges) {
   // The data term of one node favours the first label by 2, the other must have the second; the edge costs 3.
   const Eigen::MatrixXd costs{{0, 2}, {10, 0}};
   EXPECT_EQ(alpha_expansion(costs, {{0, 1, 3}}, {0, 1}), (Labels{1, 1}));
   EXPECT_EQ(alpha_expansion(costs, {{1, 0, 3}}, {0, 1}), (Labels{1, 1}));
 }
 
-TEST(AlphaExpansion, RefusesWhatIsNoProblem) {
+TEST(AlphaExpansion, RejectsNanCostsNegativeWeightsAndIndicesOutOfRange) {
   const Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(2, 2);
   EXPECT_THROW(alpha_expansion(costs, {}, {0}), ArgumentError);
   EXPECT_THROW(alpha_expansion(costs, {}, {0, 2}), ArgumentError);
@@ -137,7 +137,7 @@ TEST(AlphaExpansion, RefusesWhatIsNoProblem) {
   EXPECT_THROW(alpha_expansion(Eigen::MatrixXd::Constant(2, 2, NAN), {}, {0, 0}), ArgumentError);
 }
 
-TEST(AlphaExpansion, RepeatsRoundsWhileTheyGain) {
+TEST(AlphaExpansion, RepeatsRoundsWhileTheCostFalls) {
   const Eigen::MatrixXd costs{{6, 0, 3}, {0, 4, 1}};
   EXPECT_EQ(alpha_expansion(costs, {{0, 1, 1}}, {2, 2}), (Labels{1, 0})) << "the second round changes node 1";
 }

@@ -61,7 +61,7 @@ ThickSurface row(const std::vector<double>& lengths) {
       test::hand_made_graph({200, 200, 20, 20, 20}, test::chain(border_lengths, 0.01 * unit)), unit);
 }
 
-TEST(BoundarySmoothing, ABorderMovesWhereThatSavesMoreThanTheAreaCosts) {
+TEST(BoundarySmoothing, MovesABorderIfTheShorterLengthOutweighsTheArea) {
   // Node 2 costs 0.2 * 0.01 / 0.03 = 0.0667 where it goes over, and saves 0.9 of border.
   const ThickSurface surface = row({1, 1, 0.1, 1});
   const Labels labels = {0, 0, 1, 1, 1};
@@ -71,7 +71,7 @@ TEST(BoundarySmoothing, ABorderMovesWhereThatSavesMoreThanTheAreaCosts) {
   EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
 }
 
-TEST(BoundarySmoothing, BordersWithWhatIsOutOfReachCountToo) {
+TEST(BoundarySmoothing, CostIncludesBordersWithNodesThatCannotChange) {
   // Nodes 1 and 2 may change. Node 2 costs 0.2 * 0.01 / 0.015 = 0.1333, and saves 0.9 of border.
   const ThickSurface surface = row({1, 1, 0.1, 1});
   const Labels labels = {0, 0, 1, 1, 1};
@@ -79,7 +79,7 @@ TEST(BoundarySmoothing, BordersWithWhatIsOutOfReachCountToo) {
   EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.015, .strength = 0.152}), (Labels{0, 0, 0, 1, 1}));
 }
 
-TEST(BoundarySmoothing, MovesABorderByTwoNodesOnlyIfThatPays) {
+TEST(BoundarySmoothing, MovesABorderByTwoNodesOnlyIfTheCostFalls) {
   // Nodes 2 and 3 cost 0.2 * (0.01 + 0.02) / 0.03 = 0.2 together, and save 0.9 of border.
   const ThickSurface surface = row({1, 1, 1, 0.1});
   const Labels labels = {0, 0, 1, 1, 1};
@@ -87,7 +87,7 @@ TEST(BoundarySmoothing, MovesABorderByTwoNodesOnlyIfThatPays) {
   EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.03, .strength = 0.23}), (Labels{0, 0, 0, 0, 1}));
 }
 
-TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
+TEST(BoundarySmoothing, LowersTheCostOfBordersAtConcavities) {
   // The link between nodes 2 and 3 turns by 0.1 over 0.01: a curvature of 10.
   ThickSurface surface = row({1, 1, 1, 1});
   surface.smooth_normals.row(2) << std::sin(0.05), 0, std::cos(0.05);
@@ -105,19 +105,19 @@ TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
   EXPECT_EQ(smoothed(0.14, 10), labels);
 }
 
-TEST(BoundarySmoothing, WidthZeroMovesNothing) {
+TEST(BoundarySmoothing, KeepsTheLabelsUnchangedForWidthZero) {
   const ThickSurface surface = torus();
   const Labels wavy = wavy_halves(surface, 0.2);
   EXPECT_EQ(smooth_boundaries(surface, wavy, {.width = 0}), wavy);
 }
 
-TEST(BoundarySmoothing, LeavesOnePartAsItIs) {
+TEST(BoundarySmoothing, KeepsASinglePartUnchanged) {
   const ThickSurface surface = thick_surface(test::sphere(1, 2));
   const Labels one(static_cast<std::size_t>(surface.graph.size()), 0);
   EXPECT_EQ(smooth_boundaries(surface, one, {}), one);
 }
 
-TEST(BoundarySmoothing, NoPartDisappears) {
+TEST(BoundarySmoothing, KeepsEvenTheSmallestPart) {
   const ThickSurface surface = thick_surface(test::sphere(1, 3));
   Labels labels(static_cast<std::size_t>(surface.graph.size()), 0);
   labels[17] = 1;
@@ -135,7 +135,7 @@ TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
   EXPECT_THROW(smooth_boundaries(surface, Labels(20, -1), {}), ArgumentError);
 }
 
-TEST(BoundarySmoothing, AFoldDrawsABorderByItsCurvatureOverTheConcavity) {
+TEST(BoundarySmoothing, MovesABorderToAFoldInProportionToItsConcavity) {
   // Six nodes in a row, folded between the fourth and the fifth; the border is one node before.
   ThickSurface row;
   row.graph.samples.points = Points::Zero(6, 3);

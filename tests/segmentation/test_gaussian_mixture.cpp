@@ -26,7 +26,7 @@ Eigen::MatrixXd clouds(const std::vector<Eigen::RowVector2d>& centres, int each)
 
 const std::vector<Eigen::RowVector2d> three_centres = {{0, 0}, {10, 0}, {0, 10}};
 
-TEST(GaussianMixture, FindsTheCloudsThatPointsWereDrawnFrom) {
+TEST(GaussianMixture, FindsTheComponentsThatPointsWereDrawnFrom) {
   const GaussianMixture mixture = fit_gaussian_mixture(clouds(three_centres, 400), 3);
   for (const Eigen::RowVector2d& centre : three_centres) {
     Eigen::Index nearest = 0;
@@ -37,7 +37,7 @@ TEST(GaussianMixture, FindsTheCloudsThatPointsWereDrawnFrom) {
   }
 }
 
-TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
+TEST(GaussianMixture, DensityOfOneComponentMatchesTheNormalDistribution) {
   GaussianMixture mixture;
   mixture.weights = Eigen::VectorXd::Constant(1, 0.25);
   mixture.means = Eigen::MatrixXd::Constant(1, 1, 2);
@@ -56,7 +56,7 @@ TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
   EXPECT_NEAR(mixture.log_likelihood, log_densities(mixture, points).sum(), 1e-12);
 }
 
-TEST(GaussianMixture, ProbabilitiesAreByWeightAndDensity) {
+TEST(GaussianMixture, ProbabilitiesFollowWeightsAndDensities) {
   GaussianMixture mixture;
   mixture.weights = Eigen::Vector2d(0.75, 0.25);
   mixture.means = Eigen::Vector2d(0, 2);
@@ -68,7 +68,7 @@ TEST(GaussianMixture, ProbabilitiesAreByWeightAndDensity) {
   EXPECT_NEAR(probabilities(0, 1), second / (first + second), 1e-12);
 }
 
-TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
+TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneAtAnyDistance) {
   const Eigen::MatrixXd points = clouds(three_centres, 20);
   const GaussianMixture mixture = fit_gaussian_mixture(points, 3);
   const Eigen::MatrixXd probabilities = component_probabilities(mixture, 1e6 * points);
@@ -76,7 +76,7 @@ TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
   EXPECT_GE(probabilities.minCoeff(), 0);
 }
 
-TEST(GaussianMixture, OfPointsThatAreAllTheSame) {
+TEST(GaussianMixture, IsFiniteForCoincidentPoints) {
   const GaussianMixture mixture = fit_gaussian_mixture(Eigen::MatrixXd::Constant(5, 2, 3), 3);
   EXPECT_TRUE(mixture.means.allFinite());
   EXPECT_TRUE(component_probabilities(mixture, Eigen::MatrixXd::Constant(1, 2, 3)).allFinite());
@@ -86,7 +86,7 @@ TEST(GaussianMixture, HasNoMoreComponentsThanPoints) {
   EXPECT_EQ(fit_gaussian_mixture(clouds({{0, 0}}, 2), 7).weights.size(), 2);
 }
 
-TEST(GaussianMixture, RefusesNoPointsAndPointsThatAreNotFinite) {
+TEST(GaussianMixture, RejectsEmptyAndNonFinitePoints) {
   EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), 1), ArgumentError);
   EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), 1), ArgumentError);
 }

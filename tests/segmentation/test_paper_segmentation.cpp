@@ -47,7 +47,7 @@ void expect_bar_and_balls(const SurfaceGraph& graph, const Eigen::VectorXd& fiel
   EXPECT_NE(low, high);  // of one cluster, but not connected
 }
 
-TEST(PaperSegmentation, TellsTheBarOfADumbbellFromItsBalls) {
+TEST(ChenSegmentation, SeparatesTheBarOfADumbbellFromItsBalls) {
   const Shape shape = test::dumbbell(4);
   const SurfaceGraph graph = surface_graph(shape);
   for (const double offset : {0.01, 0.05}) {
@@ -58,7 +58,7 @@ TEST(PaperSegmentation, TellsTheBarOfADumbbellFromItsBalls) {
   expect_bar_and_balls(graph, cone_sdf(shape, graph.samples, {}).values, 0.9);
 }
 
-TEST(PaperSegmentation, SphereIsOnePart) {
+TEST(ChenSegmentation, OfASphereIsOnePart) {
   const Shape shape = test::sphere(1, 3);
   const SurfaceGraph graph = surface_graph(shape);
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
@@ -81,7 +81,7 @@ bool falls_apart(double smoothness, double length, double concavity) {
   return count == 2;
 }
 
-TEST(PaperSegmentation, ACutCostsByLengthAndTurn) {
+TEST(ChenSegmentation, CostOfACutFollowsItsLengthAndDihedralAngle) {
   // In the wrong cluster three patches cost -log(1e-6) each; the cut costs -log(turn / pi) times its length over the
   // mean length of borders: 1, and at last 0.9.
   const double clusters = 3 * std::log(1e6);
@@ -98,7 +98,7 @@ TEST(PaperSegmentation, ACutCostsByLengthAndTurn) {
   EXPECT_FALSE(falls_apart(1.01 * limit, 0.5, 0));
 }
 
-TEST(PaperSegmentation, RefusesOptionsOutOfRange) {
+TEST(ChenSegmentation, RefusesOptionsOutOfRange) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 1));
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
   EXPECT_THROW(paper_segmentation(graph, fields, {.smoothness = -1}), InputError);
@@ -122,7 +122,7 @@ SurfaceGraph row_with_edge(std::int32_t nodes, std::int32_t edge, double concavi
   return row;
 }
 
-TEST(PaperSegmentation, CutsAlongAnEdgeRatherThanWhereItIsFlat) {
+TEST(ChenSegmentation, PrefersCutsAlongASharpEdge) {
   // The middle node belongs to neither part; the edge decides, even if convex.
   const Eigen::VectorXd values = (Eigen::VectorXd(9) << 0, 0, 0, 0, 0.5, 1, 1, 1, 1).finished();
   const std::vector<ScalarField> fields = {{values, Eigen::VectorXd::Ones(9)}};

@@ -27,14 +27,14 @@ TEST(PartModel, IsALogisticFunctionOfItsHiddenUnits) {
   EXPECT_NEAR(model.probability(features), 1 / (1 + std::exp(-other)), 1e-15);
 }
 
-TEST(PartModel, TrainedAnswersWithAProbabilityWhateverTheFeatures) {
+TEST(PartModel, TrainedModelReturnsAProbabilityForAnyFeatures) {
   for (const double value : {0.0, 1e9, -1e9}) {
     const double p = trained_part_model().probability(RegionFeatures::Constant(value));
     EXPECT_TRUE(p >= 0 && p <= 1) << p;
   }
 }
 
-TEST(PartModel, FeaturesBeyondFourDeviationsCountAsFour) {
+TEST(PartModel, ClampsFeaturesAtFourDeviations) {
   const PartModel& model = trained_part_model();
   for (const double sign : {1.0, -1.0}) {
     EXPECT_EQ(model.probability(model.mean + 10 * sign * model.deviation),

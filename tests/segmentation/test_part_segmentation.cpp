@@ -40,7 +40,7 @@ double disagreement(const Labels& a, const Labels& b) {
 /// Other patches cut the bar elsewhere. Unrelated segmentations into three parts disagree by 0.4 or more.
 constexpr double unlike = 0.05;
 
-TEST(PartSegmentation, ADumbbellHasBallsApart) {
+TEST(PartSegmentation, SeparatesTheBallsOfADumbbell) {
   const Shape shape = test::dumbbell(5);
   const Labels parts = part_segmentation(shape, {});
   const Samples samples = sample_shape(shape, SampleSite::faces);
@@ -55,12 +55,12 @@ TEST(PartSegmentation, ADumbbellHasBallsApart) {
   EXPECT_NE(low, high);
 }
 
-TEST(PartSegmentation, DoubledTrianglesHaveThePartsOfTheirFirst) {
+TEST(PartSegmentation, GivesDoubledTrianglesThePartOfTheFirstCopy) {
   const Shape shape = test::dumbbell(4);
   const PartSegmentationOptions options{.parts = 3, .samples = 200};
   const Labels expected = part_segmentation(shape, options);
   std::size_t tried = 0;
-  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
     if (++tried > 6) break;  // each takes as long as a segmentation
     Labels of_all;
     for (const std::int32_t triangle : doubled.triangles)
@@ -83,7 +83,7 @@ Shape with_degenerate(const Shape& shape) {
   return result;
 }
 
-TEST(PartSegmentation, TrianglesWithoutAreaAreNoParts) {
+TEST(PartSegmentation, DoesNotMakePartsOfDegenerateTriangles) {
   const Shape shape = test::dumbbell(4);
   const PartSegmentationOptions options{.parts = 3, .samples = 200};
   const Labels expected = part_segmentation(shape, options);
@@ -93,7 +93,7 @@ TEST(PartSegmentation, TrianglesWithoutAreaAreNoParts) {
   EXPECT_EQ(part_segmentation(with_degenerate(shape), options), all);
 }
 
-TEST(PartSegmentation, SliversAreNoParts) {
+TEST(PartSegmentation, DoesNotMakePartsOfSlivers) {
   // Two triangles stand upright on edges, almost without area.
   Shape shape = test::dumbbell(4);
   const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
@@ -110,18 +110,18 @@ TEST(PartSegmentation, SliversAreNoParts) {
   const Eigen::VectorXd areas = triangle_areas(shape);
   Eigen::VectorXd of_part = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_of(parts)));
   for (std::size_t i = 0; i < parts.size(); ++i) of_part[parts[i]] += areas[static_cast<Eigen::Index>(i)];
-  EXPECT_GT(of_part.minCoeff(), min_patch / options.patches * areas.sum());
+  EXPECT_GT(of_part.minCoeff(), min_patch_fraction / options.patches * areas.sum());
 }
 
-TEST(PartSegmentation, ANeedleIsOnePart) {
+TEST(PartSegmentation, OfANeedleIsOnePart) {
   const Shape shape{.vertices = Points{{0, 0, 0}, {0.3, 0.5, 0.7}, {0.3, 0.5, 0.7 + 1e-10}},
                     .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 
-TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }
+TEST(PartSegmentation, OfASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }
 
-TEST(PartSegmentation, HasAsManyPartsAsWanted) {
+TEST(PartSegmentation, HasTheRequestedNumberOfParts) {
   const Shape shape = test::dumbbell(4);
   for (const int parts : {1, 2, 3, 7, 80}) {
     const Labels labels = part_segmentation(shape, {.parts = parts, .samples = 200});
@@ -129,7 +129,7 @@ TEST(PartSegmentation, HasAsManyPartsAsWanted) {
   }
 }
 
-TEST(PartSegmentation, ThreePatchesAPartAreTheFewest) {
+TEST(PartSegmentation, UsesAtLeastThreePatchesPerPart) {
   const Shape shape = test::dumbbell(4);
   const auto parts = [&](int patches) {
     return part_segmentation(shape, {.parts = 5, .patches = patches, .samples = 200});
@@ -145,19 +145,19 @@ TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   EXPECT_EQ(parts, renumber_labels(parts));
 }
 
-TEST(PartSegmentation, OfOneTriangle) {
+TEST(PartSegmentation, OfOneTriangleIsOnePart) {
   const Shape shape{.vertices = Points::Identity(3, 3), .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 
-TEST(PartSegmentation, ComponentsAreDifferentParts) {
+TEST(PartSegmentation, SeparatesConnectedComponents) {
   const Shape far = test::transformed(test::sphere(1, 3), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
   const Shape balls = test::joined({test::sphere(1, 3), far});
   EXPECT_EQ(count_of(part_segmentation(balls, {.samples = 300})), 2U);
   EXPECT_EQ(count_of(part_segmentation(balls, {.parts = 1, .samples = 300})), 2U);
 }
 
-TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
+TEST(PartSegmentation, SegmentsThousandsOfComponents) {
   // Every triangle is shrunk and closed by an apex inside, so that no two touch.
   Shape scales = test::soup(test::sphere(1, 4));
   const Eigen::Index fronts = scales.triangles.rows();
@@ -180,7 +180,7 @@ TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
   EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
 }
 
-TEST(PartSegmentation, CracksAreNoBorders) {
+TEST(PartSegmentation, IgnoresCracksAsBorders) {
   RandomNumbers random(3);
   const Shape cracked = remove_faces(test::sphere(1, 4), 0.15, random);
   EXPECT_EQ(count_of(part_segmentation(cracked, {})), 1U);
@@ -193,7 +193,7 @@ std::int32_t part_at(double height, const Labels& parts, const Points& centroids
   return parts[static_cast<std::size_t>(nearest)];
 }
 
-TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
+TEST(PartSegmentation, CutsACoarseDumbbellAtTheEndsOfItsBar) {
   // Borders follow patches, so they are exact to the width of a patch.
   const double bar = 2.5 - std::sqrt(1 - 0.25 * 0.25);
   for (const int subdivisions : {3, 4}) {  // 1,280 and 5,120 triangles: both are segmented by a proxy
@@ -214,7 +214,7 @@ TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
   }
 }
 
-TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
+TEST(PartSegmentation, LabelsDegenerateTriangles) {
   Shape shape = test::dumbbell(3);
   const Eigen::Index count = shape.triangles.rows();
   shape.triangles.conservativeResize(count + 2, 3);
@@ -223,19 +223,19 @@ TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
   EXPECT_EQ(part_segmentation(shape, {}).size(), static_cast<std::size_t>(count) + 2);
 }
 
-TEST(PartSegmentation, DoesNotDependOnPlaceSizeAndDirection) {
+TEST(PartSegmentation, HardlyDependsOnPositionSizeAndRotation) {
   const Shape shape = test::dumbbell(4);
   const Shape moved = test::transformed(shape, 40, test::rotation(3), {100, -7, 3});
   EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(moved, {.parts = 3})), unlike);
 }
 
-TEST(PartSegmentation, AMeshTurnedInsideOutHasTheSameParts) {
+TEST(PartSegmentation, IsTheSameForAMeshTurnedInsideOut) {
   const Shape shape = test::dumbbell(4);
   EXPECT_EQ(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(test::flipped(shape), {.parts = 3})),
             0);
 }
 
-TEST(PartSegmentation, ACloudHasPartsAtItsPoints) {
+TEST(PartSegmentation, LabelsThePointsOfACloud) {
   const Shape mesh = test::dumbbell(4);
   const Shape cloud{.vertices = mesh.vertices, .triangles = {}};
   const Labels parts = part_segmentation(cloud, {.parts = 3});
@@ -257,7 +257,7 @@ TEST(PartSegmentation, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(part_segmentation(shape, {}), alone);
 }
 
-TEST(PartSegmentation, RefusesWhatCannotBe) {
+TEST(PartSegmentation, RejectsTooManyPartsOptionsOutOfRangeAndShapesWithoutArea) {
   const Shape box = test::box({1, 1, 1}, 1);
   EXPECT_THROW(part_segmentation(box, {.parts = 1000}), InputError);
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);

@@ -17,7 +17,7 @@ ScalarField field(std::vector<double> values, std::vector<double> weights) {
           Eigen::Map<Eigen::VectorXd>(weights.data(), std::ssize(weights))};
 }
 
-TEST(PatchFeatures, AreSharesOfWeightBelowEachLevel) {
+TEST(PatchFeatures, AreFractionsOfWeightBelowEachLevel) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1};
   // In order, 2, 5, 6 and 10 are at 0.5, 1.5, 3.5 and 5.5 sixths of the weight; levels are at 1/8, 3/8, 5/8 and 7/8.
   const std::vector<ScalarField> fields = {field({2, 6, 10, 5}, {1, 3, 1, 1})};
@@ -25,14 +25,14 @@ TEST(PatchFeatures, AreSharesOfWeightBelowEachLevel) {
   EXPECT_TRUE(patch_features(patch, fields, 4).isApprox(expected, 1e-12)) << patch_features(patch, fields, 4);
 }
 
-TEST(PatchFeatures, LeaveOutWhatIsMissing) {
+TEST(PatchFeatures, IgnoreMissingValues) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 2};
   const std::vector<ScalarField> fields = {field({0, nan, 1, nan}, {1, 1, 3, 1})};
   const Eigen::MatrixXd expected{{1, 1}, {0, 1}, {0.25, 1}};  // the last patch has the distribution of the whole
   EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
 }
 
-TEST(PatchFeatures, DoNotChangeUnderIncreasingFunctions) {
+TEST(PatchFeatures, DoNotChangeUnderMonotoneFunctions) {
   const std::vector<std::int32_t> patch = {0, 0, 0, 1, 1, 1};
   const std::vector<double> weights = {1, 2, 1, 3, 1, 1};
   const std::vector<ScalarField> fields = {field({1, 2, 3, 2, 4, 5}, weights)};
@@ -49,7 +49,7 @@ TEST(PatchFeatures, ConcatenateSeveralFields) {
   EXPECT_TRUE(patch_features(patch, fields, 1).isApprox(expected, 1e-12));
 }
 
-TEST(PatchFeatures, RefuseFieldsOfAnotherShape) {
+TEST(PatchFeatures, RejectMissingFieldsAndFieldsOfAnotherSize) {
   const std::vector<std::int32_t> patch = {0, 1};
   EXPECT_THROW(patch_features(patch, {}, 4), ArgumentError);
   EXPECT_THROW(patch_features(patch, std::vector{field({0}, {1})}, 4), ArgumentError);

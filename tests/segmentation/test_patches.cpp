@@ -16,7 +16,7 @@ std::int32_t number_of_patches(const std::vector<std::int32_t>& labels) {
   return static_cast<std::int32_t>(std::set(labels.begin(), labels.end()).size());
 }
 
-TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
+TEST(SurfacePatches, AreConnectedEquallyLargeAndOfTheRequestedNumber) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 4));
   const std::vector<std::int32_t> patch = patches(graph, {.count = 40});
   EXPECT_EQ(number_of_patches(patch), 40);
@@ -29,7 +29,7 @@ TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
   }
 }
 
-TEST(Patches, HaveTheirBordersAtExpensiveLinks) {
+TEST(SurfacePatches, HaveBordersAtLinksOfHighCost) {
   // The ends of a long box are far apart, but its edges are expensive to cross.
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 8));
   std::vector<double> costs;
@@ -42,7 +42,7 @@ TEST(Patches, HaveTheirBordersAtExpensiveLinks) {
   }
 }
 
-TEST(Patches, MoveToTheMiddlesOfTheirAreas) {
+TEST(SurfacePatches, AreCentredByAreaInAnyUnit) {
   SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   const std::vector<std::int32_t> moved = patches(graph, {.count = 20});
   graph.samples.weights *= 1024;
@@ -51,7 +51,7 @@ TEST(Patches, MoveToTheMiddlesOfTheirAreas) {
   EXPECT_NE(moved, patches(graph, {.count = 20}));
 }
 
-TEST(Patches, EveryComponentHasOne) {
+TEST(SurfacePatches, CoverEveryConnectedComponent) {
   const Shape balls = test::joined(
       {test::sphere(1, 1), test::transformed(test::sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
   const std::vector<std::int32_t> patch = patches(surface_graph(balls), {.count = 1});
@@ -59,24 +59,24 @@ TEST(Patches, EveryComponentHasOne) {
   EXPECT_NE(patch.front(), patch.back());
 }
 
-TEST(Patches, AreNoMoreThanTriangles) {
+TEST(SurfacePatches, AreNoMoreThanTriangles) {
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 1));
   EXPECT_EQ(number_of_patches(patches(graph, {.count = 1000})), 12);
 }
 
-TEST(Patches, DependOnTheSeedOnly) {
+TEST(SurfacePatches, DependOnlyOnTheSeed) {
   const SurfaceGraph graph = surface_graph(test::torus(2, 0.5, 16, 40));
   EXPECT_EQ(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 7}));
   EXPECT_NE(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 8}));
 }
 
-TEST(Patches, RefuseOptionsOutOfRange) {
+TEST(SurfacePatches, RefuseOptionsOutOfRange) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(patches(graph, {.count = 0}), InputError);
   EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), ArgumentError);
 }
 
-TEST(Patches, TakeANodeHalfWayBetweenTwoByTheirOrder) {
+TEST(SurfacePatches, AssignATiedNodeToTheFirstCentre) {
   // Three nodes in a row; the first centre is the first node, the second the last.
   SurfaceGraph row;
   row.samples.points = Points::Zero(3, 3);

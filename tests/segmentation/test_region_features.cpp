@@ -19,7 +19,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(RegionFeatures, HaveNamesOfTheirOwn) {
+TEST(RegionFeatures, HaveUniqueNames) {
   const auto& names = region_feature_names();
   EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
   EXPECT_FALSE(names.back().empty());
@@ -142,7 +142,7 @@ TEST(RegionFeatures, MatchAnExampleOfTwoRegions) {
   EXPECT_EQ(features_of(hand_made_regions(), 1, 0), features);
 }
 
-TEST(RegionFeatures, RegionsWithoutPairsAreTreatedAsConvex) {
+TEST(RegionFeatures, TreatRegionsWithoutPairsAsConvex) {
   const RegionFeatures features = features_of(Regions(2), 0, 1);
   const auto value = [&](std::string_view name) {
     const auto& names = region_feature_names();
@@ -155,15 +155,13 @@ TEST(RegionFeatures, RegionsWithoutPairsAreTreatedAsConvex) {
   EXPECT_EQ(value("area small"), std::log(1e-9));
 }
 
-TEST(RegionFeatures, AreTheSameForEitherOrder) {
+TEST(RegionFeatures, AreSymmetricInTheTwoRegions) {
   const ThickSurface surface = thick_surface(test::box({1, 2, 3}, 6));
   const Regions regions = surface_regions(surface, patches(surface.graph, {.count = 12}, patch_costs(surface)), 300);
   for (const std::int32_t b : regions.neighbours(0)) EXPECT_EQ(features_of(regions, 0, b), features_of(regions, b, 0));
 }
 
-TEST(RegionFeatures, AreFiniteForRegionsOfWhichNothingIsKnown) {
-  EXPECT_TRUE(features_of(Regions(2), 0, 1).allFinite());
-}
+TEST(RegionFeatures, AreFiniteForEmptyRegions) { EXPECT_TRUE(features_of(Regions(2), 0, 1).allFinite()); }
 
 }  // namespace
 }  // namespace shapegauge

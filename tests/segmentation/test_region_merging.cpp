@@ -16,26 +16,26 @@ double area_affinity(const Regions& regions, std::int32_t a, std::int32_t b) {
   return 1 / (regions.of(a).area + regions.of(b).area);
 }
 
-TEST(RegionMerging, TakesTheHighestAffinityFirstAndComputesItAgain) {
+TEST(RegionMerging, MergesTheHighestAffinityFirstAndUpdatesIt) {
   Regions regions = regions_in_a_row(5);  // areas 1 to 5
   merge_regions(regions, area_affinity, {.parts = 2});
   // 1 + 2 = 3, then 3 + 3 = 6, then 4 + 5 = 9 against 6 + 4 = 10.
   EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {0, 2}, {3, 4}}));
 }
 
-TEST(RegionMerging, StopsBelowTheLeastAffinity) {
+TEST(RegionMerging, StopsBelowTheMinimumAffinity) {
   Regions regions = regions_in_a_row(5);
   merge_regions(regions, area_affinity, {.min_affinity = 1.0 / 6});
   EXPECT_EQ(regions.size(), 3);
 }
 
-TEST(RegionMerging, MergesLowerNumbersFirstAtEqualAffinity) {
+TEST(RegionMerging, BreaksTiesOfAffinityByTheLowestIndex) {
   Regions regions = regions_in_a_row(5);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 2});
   EXPECT_THAT(regions.merges(), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(0, 3)));
 }
 
-TEST(RegionMerging, WithoutPartsWantedStopsAtOneRegion) {
+TEST(RegionMerging, StopsAtOneRegionOrTheDefaultMinimumAffinity) {
   Regions regions = regions_in_a_row(3);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.5; }, {});
   EXPECT_EQ(regions.size(), 1) << "an affinity that is just enough";
@@ -44,7 +44,7 @@ TEST(RegionMerging, WithoutPartsWantedStopsAtOneRegion) {
   EXPECT_EQ(apart.size(), 3);
 }
 
-TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
+TEST(RegionMerging, DoesNotMergeRegionsThatDoNotTouch) {
   Regions regions(3);
   regions.make_neighbours(0, 2);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 1});
@@ -53,7 +53,7 @@ TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
   EXPECT_EQ(regions.region_of(1), 1);
 }
 
-TEST(RegionMerging, ComputesThePairsOfAMergedRegionAgain) {
+TEST(RegionMerging, UpdatesTheAffinitiesOfAMergedRegion) {
   // 1 and 2 merge first; merging the result with 0 no longer pays.
   const RegionAffinity affinity = [](const Regions& regions, std::int32_t a, std::int32_t b) {
     if (regions.of(a).nodes + regions.of(b).nodes > 2) return 0.1;
@@ -64,7 +64,7 @@ TEST(RegionMerging, ComputesThePairsOfAMergedRegionAgain) {
   EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{1, 2}}));
 }
 
-TEST(RegionMerging, WantedPartsGoBeforeTheLeastAffinity) {
+TEST(RegionMerging, RequestedPartsOverrideTheMinimumAffinity) {
   Regions regions = regions_in_a_row(4);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.0; },
                 {.min_affinity = 0.5, .parts = 2});

@@ -9,7 +9,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Regions, MergingAddsUp) {
+TEST(Regions, MergingAddsAreasAndPairSums) {
   Regions regions = test::regions_in_a_row(4);
   regions.add(0, 2, PairSum::pairs, 5);
   regions.add(1, 1, PairSum::pairs, 3);
@@ -43,7 +43,7 @@ RegionSum different_sums(double factor) {
   return sum;
 }
 
-TEST(Regions, MergingAddsEverySum) {
+TEST(Regions, MergingAddsEveryQuantityOfTheTwoRegions) {
   Regions regions(2);
   regions.add(0, different_sums(1));
   regions.add(1, different_sums(100));

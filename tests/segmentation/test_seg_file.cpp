@@ -30,13 +30,13 @@ class SegFile : public ::testing::Test {
   std::filesystem::path path_ = folder_.path() / "parts.seg";
 };
 
-TEST_F(SegFile, ComesBackAsItWasWritten) {
+TEST_F(SegFile, IsReadBackAsWritten) {
   const std::vector<std::int32_t> labels = {0, 3, 3, 2147483647};
   write_seg(path_, labels);
   EXPECT_EQ(read_seg(path_, mesh_of(4)), labels);
 }
 
-TEST_F(SegFile, HasALineForEachPolygon) {
+TEST_F(SegFile, HasOneLinePerPolygon) {
   Shape mesh = mesh_of(3);
   mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
   mesh.triangles.rowwise() = Eigen::RowVector3<std::int32_t>(0, 1, 2);
@@ -48,12 +48,12 @@ TEST_F(SegFile, HasALineForEachPolygon) {
   EXPECT_THAT([&] { read_seg(path_, mesh); }, ThrowsMessage<InputError>(HasSubstr("3 faces")));
 }
 
-TEST_F(SegFile, LinesMayEndAsInDos) {
+TEST_F(SegFile, AcceptsCarriageReturnsAtLineEnds) {
   write("1\r\n2\r\n");
   EXPECT_EQ(read_seg(path_, mesh_of(2)), (std::vector<std::int32_t>{1, 2}));
 }
 
-TEST_F(SegFile, RefusesAnotherMesh) {
+TEST_F(SegFile, RejectsAMeshWithAnotherNumberOfFaces) {
   write("1\n2\n3\n");
   EXPECT_THAT([&] { read_seg(path_, mesh_of(4)); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("3 lines"), HasSubstr("4 faces"))));
@@ -61,14 +61,14 @@ TEST_F(SegFile, RefusesAnotherMesh) {
               ThrowsMessage<InputError>(AllOf(HasSubstr(":3:"), HasSubstr("(2)"))));
 }
 
-TEST_F(SegFile, NumbersThatAreNoSegmentsAreRefusedWithTheirLine) {
+TEST_F(SegFile, RejectsInvalidLabelsWithTheirLine) {
   for (const std::string word : {"-1", "2147483648", "99999999999999999999", "1.5", "x"}) {
     write("1\n" + word + "\n");
     EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); }, ThrowsMessage<InputError>(HasSubstr(":2:"))) << word;
   }
 }
 
-TEST_F(SegFile, ThatIsAbsentIsNamed) {
+TEST_F(SegFile, ReportsThePathOfAMissingFile) {
   EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); }, ThrowsMessage<InputError>(HasSubstr(path_.string())));
 }
 

@@ -23,9 +23,11 @@ Labels caps_and_belt(const SurfaceGraph& graph) {
   return labels;
 }
 
-TEST(SegmentLabels, AreRenumberedInOrder) { EXPECT_EQ(renumber_labels(Labels{7, -1, 7, 3}), (Labels{0, 1, 0, 2})); }
+TEST(SegmentLabels, AreRenumberedByFirstOccurrence) {
+  EXPECT_EQ(renumber_labels(Labels{7, -1, 7, 3}), (Labels{0, 1, 0, 2}));
+}
 
-TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
+TEST(SegmentLabels, AreSplitIntoConnectedParts) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   const Labels parts = connected_parts(graph, caps_and_belt(graph));
   EXPECT_EQ(std::set(parts.begin(), parts.end()).size(), 3U);
@@ -39,7 +41,7 @@ TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
   }
 }
 
-TEST(SegmentLabels, SliversJoinTheNeighbourOfTheLongestBorder) {
+TEST(SegmentLabels, OfSliversJoinTheNeighbourWithTheLongestBorder) {
   const Shape sphere = test::sphere(1, 3);
   const SurfaceGraph graph = surface_graph(sphere);
   const Labels halves = [&] {
@@ -59,14 +61,14 @@ TEST(SegmentLabels, SliversJoinTheNeighbourOfTheLongestBorder) {
   EXPECT_EQ(without_slivers(graph, labels, 0.01), halves);
 }
 
-TEST(SegmentLabels, SliversJoinFromTheSmallestOnAndKeepTheirBorders) {
+TEST(SegmentLabels, OfTheSmallestSliversJoinTheirNeighboursFirst) {
   const SurfaceGraph graph = test::hand_made_graph({100, 2, 1, 97}, test::chain({1, 3, 2}));
   const Labels labels = {0, 1, 2, 3};
   EXPECT_EQ(without_slivers(graph, labels, 0.0125), (Labels{0, 1, 1, 3})) << "2 + 1 is above 2.5";
   EXPECT_EQ(without_slivers(graph, labels, 0.02), (Labels{0, 3, 3, 3})) << "a border of 2 with 3, and of 1 with 0";
 }
 
-TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
+TEST(SegmentLabels, GetColoursByDescendingArea) {
   const std::vector<Colour> colours =
       label_colours(test::hand_made_graph({1, 5, 3}, test::chain({1, 1})), Labels{0, 1, 2});
   EXPECT_EQ(colours[1], (Colour{68, 119, 170}));
@@ -74,7 +76,7 @@ TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
   EXPECT_EQ(colours[0], (Colour{34, 136, 51}));
 }
 
-TEST(SegmentLabels, ColoursAreUsedAgainWhereTheyDoNotTouch) {
+TEST(SegmentLabels, ReuseColoursOnlyForPartsThatDoNotTouch) {
   // Fourteen parts by falling area. Two reuse a colour: 12 touches 0, whose colour is next; 13 does not
   // touch 1.
   std::vector<double> areas;
@@ -88,7 +90,7 @@ TEST(SegmentLabels, ColoursAreUsedAgainWhereTheyDoNotTouch) {
   EXPECT_EQ(colours[13], colours[1]);
 }
 
-TEST(SegmentLabels, NeighboursHaveDifferentColours) {
+TEST(SegmentLabels, GiveAdjacentPartsDifferentColours) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 4));
   const Labels patch = patches(graph, {.count = 60});
   const std::vector<Colour> colours = label_colours(graph, patch);
@@ -101,7 +103,7 @@ TEST(SegmentLabels, NeighboursHaveDifferentColours) {
   }
 }
 
-TEST(SegmentLabels, RefuseAnotherSurface) {
+TEST(SegmentLabels, RejectLabelsOfAnotherSurface) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(connected_parts(graph, Labels{1}), ArgumentError);
   EXPECT_THROW(label_colours(graph, Labels{1}), ArgumentError);

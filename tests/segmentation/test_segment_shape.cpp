@@ -10,7 +10,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(SegmentShape, IsTheChosenAlgorithmWithItsOptions) {
+TEST(SegmentShape, RunsTheRequestedAlgorithmWithItsOptions) {
   const Shape shape = test::dumbbell(3);
   const PartSegmentationOptions best{.parts = 4, .patches = 60};
   EXPECT_EQ(segment_shape(shape, {.best = best}), part_segmentation(shape, best));
@@ -30,7 +30,7 @@ TEST(SegmentShape, RefusesOptionsOutOfRange) {
   EXPECT_THROW(segment_shape(shape, {.method = SegmentationAlgorithm::paper, .offset = 2}), InputError);
 }
 
-TEST(SegmentationTable, KnowsTheAlgorithmOfEachParameter) {
+TEST(SegmentationParameters, StateTheAlgorithmTheyBelongTo) {
   for (const char* of_best : {"patches", "min_probability", "border_width"}) {
     EXPECT_EQ(algorithm_with(of_best), SegmentationAlgorithm::best) << of_best;
   }

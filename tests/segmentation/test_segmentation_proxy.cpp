@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(SegmentationProxy, KeepsFineMeshesAndClouds) {
+TEST(SegmentationProxy, KeepsFineMeshesAndCloudsUnchanged) {
   for (const Shape& shape : {test::sphere(1, 5), test::random_points(test::sphere(1, 3), 500, 1)}) {
     const SegmentationProxy result = segmentation_proxy(shape);
     EXPECT_EQ(result.shape.vertices, shape.vertices);
@@ -43,7 +43,7 @@ TEST(SegmentationProxy, SubdividesCoarseMeshes) {
   }
 }
 
-TEST(SegmentationProxy, KeepsDegenerateTriangles) {
+TEST(SegmentationProxy, KeepsVerticesFiniteWithDegenerateTriangles) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.triangles.conservativeResize(shape.triangles.rows() + 1, 3);
   shape.triangles.bottomRows(1) << 0, 0, 1;

@@ -30,20 +30,20 @@ double concavity(const SurfaceGraph& graph, std::int32_t from, std::int32_t to) 
   return 0;
 }
 
-TEST(SurfaceGraph, AValleyIsConcaveAndARidgeConvex) {
+TEST(SurfaceGraph, ConcavityIsPositiveInAValleyAndNegativeOnARidge) {
   const double angle = std::atan(0.5);
   EXPECT_NEAR(concavity(surface_graph(valley(0.5)), 0, 2), angle, 1e-12);
   EXPECT_NEAR(concavity(surface_graph(valley(-0.5)), 0, 2), -angle, 1e-12);
   EXPECT_NEAR(concavity(surface_graph(valley(0.5)), 0, 1), 0, 1e-12);
 }
 
-TEST(SurfaceGraph, TrianglesTurnedOverAreComparedAsIfTheyWereNot) {
+TEST(SurfaceGraph, ConcavityDoesNotChangeIfATriangleIsReversed) {
   Shape shape = valley(0.5);
   std::swap(shape.triangles(2, 0), shape.triangles(2, 1));
   EXPECT_NEAR(concavity(surface_graph(shape), 0, 2), std::atan(0.5), 1e-12);
 }
 
-TEST(SurfaceGraph, ALinkKnowsItsEdge) {
+TEST(SurfaceGraph, LinksHaveTheLengthAndDistanceOfTheirEdge) {
   const SurfaceGraph graph = surface_graph(valley(0));
   for (const SurfaceLink& link : graph.links_of(0)) {
     EXPECT_DOUBLE_EQ(link.length, link.to == 2 ? 1 : std::numbers::sqrt2);
@@ -65,7 +65,7 @@ TEST(SurfaceGraph, EveryLinkHasItsReverse) {
   }
 }
 
-TEST(SurfaceGraph, TrianglesOfAClosedMeshHaveThreeNeighbours) {
+TEST(SurfaceGraph, LinksEachTriangleOfAClosedMeshToThreeOthers) {
   const SurfaceGraph graph = surface_graph(test::soup(test::sphere(1, 2)));
   for (std::int32_t i = 0; i < graph.size(); ++i) {
     EXPECT_EQ(graph.links_of(i).size(), 3U);
@@ -80,7 +80,7 @@ std::vector<std::size_t> link_counts(const SurfaceGraph& graph, std::int32_t cou
   return counts;
 }
 
-TEST(SurfaceGraph, TrianglesAtAnEdgeOfManyAreLinkedInARow) {
+TEST(SurfaceGraph, LinksTrianglesAtANonManifoldEdgeInAChain) {
   // Three tetrahedra with a common edge, shared by six triangles.
   Shape three;
   three.vertices.resize(8, 3);
@@ -100,7 +100,7 @@ TEST(SurfaceGraph, TrianglesAtAnEdgeOfManyAreLinkedInARow) {
   EXPECT_THAT(counts, testing::ElementsAre(3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4));
 }
 
-TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
+TEST(SurfaceGraph, LinksTrianglesAcrossAGapAtItsVertices) {
   const Shape whole = test::sphere(1, 2);
   Shape holed = whole;
   holed.triangles = whole.triangles.bottomRows(whole.triangles.rows() - 1);
@@ -121,7 +121,7 @@ TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
   }
 }
 
-TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
+TEST(SurfaceGraph, LinksAnIsolatedTriangleBetweenGapsToItsNeighbours) {
   // A strip without every second triangle: the others meet only at vertices.
   const Shape strip{.vertices = Points{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}, {4, 0, 0}},
                     .triangles = Triangles{{0, 2, 1}, {2, 4, 3}}};
@@ -133,7 +133,7 @@ TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
   EXPECT_EQ(graph.links[0].concavity, 0);
 }
 
-TEST(SurfaceGraph, PointsOfACloudAreLinkedByDistanceAndWidth) {
+TEST(SurfaceGraph, LinksThePointsOfACloudWithDistanceAndWidth) {
   const Shape cloud{.vertices = test::sphere(2, 3).vertices, .triangles = {}};
   const SurfaceGraph graph = surface_graph(cloud);
   const Samples& samples = graph.samples;

@@ -21,7 +21,7 @@ Regions regions_of(const Shape& shape, int count) {
   return surface_regions(surface, patches(surface.graph, {.count = count}, patch_costs(surface)), 300);
 }
 
-TEST(SurfaceRegions, SeeEachOtherInsideConvexShapesOnly) {
+TEST(SurfaceRegions, SeeEachOtherOnlyThroughTheInsideOfAConvexShape) {
   const ThickSurface surface = thick_surface(test::box({4, 1, 1}, 8));
   std::vector<std::int32_t> halves;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) halves.push_back(surface.graph.samples.points(i, 0) > 0);
@@ -45,7 +45,7 @@ std::vector<std::int32_t> labelled(const ThickSurface& surface, Label label) {
   return labels;
 }
 
-TEST(SurfaceRegions, SeeEachOtherOutsideAcrossAConcavity) {
+TEST(SurfaceRegions, SeeEachOtherThroughTheOutsideAcrossAConcavity) {
   // Two cubes of side 1 with a gap of 0.5: the facing sides against the rest.
   const Shape right = test::transformed(test::box({1, 1, 1}, 3), 1, Eigen::Matrix3d::Identity(), {1.5, 0, 0});
   const ThickSurface surface = thick_surface(test::joined({test::box({1, 1, 1}, 3), right}));
@@ -65,7 +65,7 @@ TEST(SurfaceRegions, SeeEachOtherOutsideAcrossAConcavity) {
   EXPECT_GT(regions.of(0, 2, PairSum::seen_deep), 0);
 }
 
-TEST(SurfaceRegions, BordersHaveLengthTurnAndThickness) {
+TEST(SurfaceRegions, BordersHaveLengthAngleAndThickness) {
   // The top of a box against the rest: a border of length 4, right angles, of which 1.5 radians count.
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 6));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
@@ -88,7 +88,7 @@ TEST(SurfaceRegions, BordersHaveLengthTurnAndThickness) {
   EXPECT_NEAR(regions.of(0, 1, PairSum::folded), border, 1e-9);
 }
 
-TEST(SurfaceRegions, NodesAreSummedByArea) {
+TEST(SurfaceRegions, WeighNodesByAreaInSums) {
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 4));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
   const std::vector<std::int32_t> labels =
@@ -116,7 +116,7 @@ TEST(SurfaceRegions, NodesAreSummedByArea) {
   EXPECT_NEAR(of_top.squared_normal(0, 0), 0, 1e-12);
 }
 
-TEST(SurfaceRegions, TiltIsOfPairsThatAreNearEnough) {
+TEST(SurfaceRegions, TiltIncludesOnlyPairsOfNearbyNodes) {
   // Regions of one triangle each, on the top of a cube of 2.45 units and around its edge.
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 8));
   std::vector<std::int32_t> labels(static_cast<std::size_t>(surface.graph.size()), -1);
@@ -156,7 +156,7 @@ TEST(SurfaceRegions, TiltIsOfPairsThatAreNearEnough) {
   EXPECT_NEAR(regions.of(0, 3, PairSum::pairs), pair, 1e-15);
 }
 
-TEST(PatchCosts, AreHigherWhereTheSurfaceIsConcaveOrItsThicknessChanges) {
+TEST(PatchCosts, AreHigherAtConcavitiesAndChangesOfThickness) {
   const auto cost = [](double turn, double change) {
     ThickSurface surface = test::hand_made_surface(test::hand_made_graph({1, 1}, {{0, 1, 1, 0.5}}), 2);
     // Normals that lean towards each other by the angle where it is positive.
@@ -175,7 +175,7 @@ TEST(PatchCosts, AreHigherWhereTheSurfaceIsConcaveOrItsThicknessChanges) {
   EXPECT_NEAR(cost(0, -0.7), 0.5 + 2 * 0.01 * 0.7, 1e-9);
 }
 
-TEST(SurfaceRegions, DoNotSeeEachOtherInsideAHook) {
+TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherThroughTheInside) {
   // A torus cut in four quarters: those across see each other through the hole, not through the tube.
   const ThickSurface surface = thick_surface(test::torus(4, 0.5, 24, 96));
   std::vector<std::int32_t> quarters;
@@ -189,7 +189,7 @@ TEST(SurfaceRegions, DoNotSeeEachOtherInsideAHook) {
   EXPECT_GT(regions.of(0, 0, PairSum::seen_deep), 0.3 * regions.of(0, 0, PairSum::pairs));
 }
 
-TEST(SurfaceRegions, SharesAddUpToTheWhole) {
+TEST(SurfaceRegions, AreaFractionsAndOppositePairsSumToOne) {
   const Regions regions = regions_of(test::capsule(1, 3, 24, 10), 10);
   double area = 0;
   double opposite = 0;
@@ -243,7 +243,7 @@ TEST(SurfaceRegions, AreTheSameForAnySizeAndNumberOfThreads) {
   expect_equal_sums(serial, measured(larger, 1));
 }
 
-TEST(SurfaceRegions, AreThoseOfTheMergedPatches) {
+TEST(SurfaceRegions, MatchTheSumsOfMergedPatches) {
   PatchedShape patched(1);
   Regions merged = surface_regions(patched.surface, patched.labels, 30);
   const std::int32_t kept = 1;

@@ -16,7 +16,7 @@ void expect_thickness(const ThickSurface& surface, double expected, double toler
   for (const double thickness : surface.log_thickness) EXPECT_NEAR(thickness, expected, tolerance);
 }
 
-TEST(ThickSurface, SphereHasItsDiameter) {
+TEST(ThickSurface, ThicknessOfASphereIsItsDiameter) {
   // 2 R over the square root of 4 pi R^2, whatever R is.
   const double expected = -std::log(std::numbers::pi) / 2;
   for (const double radius : {1.0, 40.0}) {
@@ -36,7 +36,7 @@ TEST(ThickSurface, DoesNotDependOnOrientation) {
   }
 }
 
-TEST(ThickSurface, CloudHasThicknessAndNormalsOfItsSurface) {
+TEST(ThickSurface, CloudHasTheThicknessAndNormalsOfItsSurface) {
   const Shape cloud{.vertices = test::sphere(1, 4).vertices, .triangles = {}};
   const ThickSurface surface = thick_surface(cloud);
   expect_thickness(surface, -std::log(std::numbers::pi) / 2, 0.05);
@@ -47,7 +47,7 @@ TEST(ThickSurface, CloudHasThicknessAndNormalsOfItsSurface) {
   }
 }
 
-TEST(ThickSurface, TurnsAreAnglesBetweenSmoothNormals) {
+TEST(ThickSurface, DihedralAnglesUseSmoothedNormals) {
   ThickSurface surface = test::hand_made_surface(test::hand_made_graph({1, 1}, {{0, 1, 1}}), 1);
   surface.smooth_normals.row(0) << std::sin(0.2), 0, std::cos(0.2);
   EXPECT_NEAR(surface.turn(0, surface.graph.links[0]), 0.2, 1e-12);
@@ -56,7 +56,7 @@ TEST(ThickSurface, TurnsAreAnglesBetweenSmoothNormals) {
   EXPECT_NEAR(surface.turn(0, surface.graph.links[0]), -0.2, 1e-12);
 }
 
-TEST(ThickSurface, OnlyClosedMeshesAreTurnedRound) {
+TEST(ThickSurface, OrientsOnlyClosedMeshesOutward) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_EQ(orient_outward(sphere).triangles, sphere.triangles);
   EXPECT_GT(signed_volume(orient_outward(test::flipped(sphere))), 0);

@@ -12,10 +12,10 @@
 #include "shapegauge/datasets/files/csv.h"
 #include "tests/support/test_files.h"
 
-/// Tables that programs write, read back by the names of their columns.
+/// CSV tables that programs write, read back by the names of their columns.
 namespace shapegauge::test {
 
-/// The rows of a CSV file, each by column.
+/// Reads a CSV file with a header: one map from column name to cell text per row.
 inline std::vector<std::map<std::string, std::string>> csv_records(const std::filesystem::path& file) {
   const std::vector<CsvRow> rows = parse_csv(text_of(file), file.string());
   std::vector<std::map<std::string, std::string>> records;
@@ -26,8 +26,8 @@ inline std::vector<std::map<std::string, std::string>> csv_records(const std::fi
   return records;
 }
 
-/// The cells of the only row that has these texts under these columns. Throws std::out_of_range where there is none or
-/// several.
+/// Returns the only row of a CSV file whose cells equal the pairs (column, text) in `wanted`, as a map from column name
+/// to cell text. Throws std::out_of_range if no row or several rows match.
 inline std::map<std::string, std::string> csv_record(
     const std::filesystem::path& file, std::initializer_list<std::pair<std::string, std::string>> wanted) {
   std::vector<std::map<std::string, std::string>> found;
@@ -40,7 +40,7 @@ inline std::map<std::string, std::string> csv_record(
   return found.front();
 }
 
-/// The numbers of that row under columns, in their order.
+/// Returns the numbers in the named columns of a row (csv_record()), in the order of `columns`.
 inline std::vector<double> csv_numbers(const std::map<std::string, std::string>& record,
                                        std::initializer_list<std::string> columns) {
   std::vector<double> numbers;

@@ -9,7 +9,7 @@
 
 namespace shapegauge::test {
 
-/// Decodes the bytes of a PNG file.
+/// Decodes the bytes of a PNG file to RGBA pixels; fails the test if they are invalid.
 inline Image decoded(const std::string& png) {
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;

@@ -22,7 +22,7 @@ struct Doubling {
 };
 
 /// Adds a copy of triangle f that begins at another corner.
-void add_copy(DoubledShape& doubled, const Shape& mesh, Eigen::Index f, const Doubling& doubling) {
+void add_copy(ShapeWithDuplicates& doubled, const Shape& mesh, Eigen::Index f, const Doubling& doubling) {
   Eigen::RowVector3i corners(mesh.triangles(f, 1), mesh.triangles(f, 2), mesh.triangles(f, 0));
   if (doubling.turned) std::swap(corners[0], corners[1]);
   Shape& shape = doubled.shape;
@@ -39,8 +39,8 @@ void add_copy(DoubledShape& doubled, const Shape& mesh, Eigen::Index f, const Do
   doubled.triangles.push_back(static_cast<std::int32_t>(f));
 }
 
-DoubledShape doubled(const Shape& mesh, const Doubling& doubling) {
-  DoubledShape result{
+ShapeWithDuplicates doubled(const Shape& mesh, const Doubling& doubling) {
+  ShapeWithDuplicates result{
       .name = doubling.name, .shape = {mesh.vertices, Triangles(0, 3)}, .triangles = {}, .vertices = {}};
   result.vertices.resize(static_cast<std::size_t>(mesh.vertices.rows()));
   std::iota(result.vertices.begin(), result.vertices.end(), 0);
@@ -90,8 +90,8 @@ Shape box_with_wall() {
 
 }  // namespace
 
-std::vector<DoubledShape> doublings(const Shape& mesh) {
-  std::vector<DoubledShape> all;
+std::vector<ShapeWithDuplicates> variants_with_duplicates(const Shape& mesh) {
+  std::vector<ShapeWithDuplicates> all;
   for (const Doubling& doubling :
        {Doubling{.name = "doubled"}, Doubling{.name = "tripled", .copies = 2},
         Doubling{.name = "doubled between", .between = true}, Doubling{.name = "doubled, turned", .turned = true},
@@ -106,7 +106,7 @@ std::vector<DoubledShape> doublings(const Shape& mesh) {
 
 void PrintTo(const NamedShape& named, std::ostream* stream) { *stream << named.name; }
 
-std::vector<NamedShape> shapes_without_doubles() {
+std::vector<NamedShape> shapes_without_duplicates() {
   return {{"torus", torus(1, 0.35, 16, 24)},
           {"open ball", open_ball()},
           {"box with a wall", box_with_wall()},

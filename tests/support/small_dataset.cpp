@@ -29,7 +29,7 @@ void write_small_dataset(const fs::path& folder) {
   write_text(folder / "test.cla", small_classification());
 }
 
-void make_cloud(const std::filesystem::path& model) { write_off(model, {read_shape(model).vertices, {}, {}}); }
+void replace_by_cloud(const std::filesystem::path& model) { write_off(model, {read_shape(model).vertices, {}, {}}); }
 
 std::string small_classification() {
   return "PSB 1\n3 9\n\nsphere 0 3\n0\n3\n6\n\nbox 0 3\n1\n4\n7\n\ncapsule 0 3\n2\n5\n8\n";

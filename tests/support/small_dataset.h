@@ -9,21 +9,22 @@
 
 namespace shapegauge::test {
 
-/// A capsule, sphere or box, by class ("capsule", "sphere", "box"), whose size and proportions vary slightly with the
-/// number.
+/// Returns a mesh of the class `name`: "capsule", "sphere" or "box". Size and proportions vary slightly with `number`,
+/// the index of the model within its class.
 Shape small_shape(const std::string& name, int number);
 
-/// Writes 9 models T0.off to T8.off, three of each class of small_shape, and test.cla.
+/// Writes a data set to a folder: models T0.off to T8.off, three of each class of small_shape(), and their classes in
+/// test.cla.
 void write_small_dataset(const std::filesystem::path& folder);
 
-/// Replaces a model by a point cloud, of which there is no conventional SDF.
-void make_cloud(const std::filesystem::path& model);
+/// Replaces a model's file by a point cloud of its vertices, for which no conventional SDF is defined.
+void replace_by_cloud(const std::filesystem::path& model);
 
-/// The .cla file of that data set.
+/// Returns the contents of test.cla, the classification of the data set of write_small_dataset().
 std::string small_classification();
 
-/// A configuration for that data set: the cone SDF with a fixed, a per-shape and a data set's range, and the first two
-/// concatenated; both protocols.
+/// Returns the configuration of a run on the data set of write_small_dataset() in `folder`: histograms of the cone SDF
+/// with a fixed, a per-shape and a data set range, and the first two concatenated; protocols psb and paper.
 nlohmann::json small_configuration(const std::filesystem::path& folder);
 
 }  // namespace shapegauge::test

@@ -25,18 +25,19 @@ class TemporaryFolder {
   ~TemporaryFolder();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Creates a file with the bytes; returns its path.
+  /// Writes a file called `name` in the folder; returns its path.
   [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view bytes) const;
-  /// Number of files and folders in the folder.
+  /// Returns the number of files and folders in the folder, without those in subfolders.
   [[nodiscard]] std::size_t size() const;
 
  private:
   std::filesystem::path path_;
 };
 
-/// A test with a folder of its own.
+/// Test fixture with a temporary folder.
 class FolderTest : public testing::Test {
  protected:
+  /// Returns the path of a file in the temporary folder.
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
 
   TemporaryFolder folder_;
@@ -48,13 +49,14 @@ std::string bytes_of(const std::filesystem::path& path);
 /// Returns the bytes of a file; empty if it cannot be read.
 std::string text_of(const std::filesystem::path& path);
 
-/// Returns the bytes of a folder's result files by name, without run times.
+/// Returns the contents of the result files in a folder and its subfolders by relative path, without files of run times
+/// and the manifest's information on the execution: equal for two runs with the same results.
 std::map<std::string, std::string> results_in(const std::filesystem::path& folder);
 
 /// Writes a file; creates its folder if absent.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// Drops root's rights during its lifetime, because root ignores file permissions.
+/// Drops the rights of the user root during the object's lifetime, because root ignores file permissions.
 class OrdinaryUser {
  public:
   OrdinaryUser();
@@ -68,7 +70,7 @@ class OrdinaryUser {
   uid_t before_;
 };
 
-/// Message of the InputError thrown by the call, or "no error". Other exceptions propagate.
+/// Returns the message of the InputError that call() throws, or "no error". Other exceptions propagate.
 template <typename Call>
 std::string input_error_of(const Call& call) {
   try {
@@ -79,13 +81,13 @@ std::string input_error_of(const Call& call) {
   return "no error";
 }
 
-/// An input that a function refuses, and the part of its message that matters: a file, a line, a name.
+/// Invalid input of a function and the expected error.
 struct Refusal {
-  std::string input;
-  std::string word;
+  std::string input;  ///< invalid input, such as the contents of a file
+  std::string word;   ///< text that the error message must contain, such as a line or a name
 };
 
-/// Checks that the call throws an InputError with the word for each input.
+/// Checks that call(input) throws an InputError whose message contains the expected word, for each invalid input.
 template <typename Call>
 void expect_refused(const std::vector<Refusal>& refusals, const Call& call) {
   for (const Refusal& refusal : refusals) {

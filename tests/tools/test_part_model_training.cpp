@@ -22,7 +22,7 @@ std::vector<PartExample> examples(int count, std::uint64_t seed) {
   return result;
 }
 
-TEST(PartModelTraining, LearnsANonLinearFunction) {
+TEST(PartModelTraining, LearnsANonlinearFunction) {
   const PartModel model = train_part_model(examples(4000, 1), {.networks = 2, .epochs = 40});
   int right = 0;
   const std::vector<PartExample> others = examples(1000, 2);
@@ -32,7 +32,7 @@ TEST(PartModelTraining, LearnsANonLinearFunction) {
   EXPECT_GT(right, 750);  // a linear model is right for half of them
 }
 
-TEST(PartModelTraining, ItsFirstStepHasTheLengthOfTheRate) {
+TEST(PartModelTraining, FirstStepHasTheLengthOfTheLearningRate) {
   // Adam's corrected moments of one gradient are the gradient and its square: the step is the rate, whatever its
   // length. One batch, an epoch of two: half of the rate of the cosine.
   const std::vector<PartExample> batch = examples(200, 1);
@@ -43,13 +43,13 @@ TEST(PartModelTraining, ItsFirstStepHasTheLengthOfTheRate) {
   EXPECT_NEAR(std::abs(twice.output_bias), rate / 2, 1e-4 * rate);
 }
 
-TEST(PartModelTraining, LearnsShares) {
+TEST(PartModelTraining, LearnsFractionsAsTargets) {
   std::vector<PartExample> same = examples(500, 1);
   for (PartExample& example : same) example.together = 0.3;
   EXPECT_NEAR(train_part_model(same, {.epochs = 100}).probability(same[0].features), 0.3, 0.05);
 }
 
-TEST(PartModelTraining, IsRepeatable) {
+TEST(PartModelTraining, IsReproducible) {
   const PartModel first = train_part_model(examples(500, 1), {});
   const PartModel second = train_part_model(examples(500, 1), {});
   EXPECT_EQ(first.hidden, second.hidden);
@@ -61,7 +61,7 @@ TEST(PartModelTraining, RejectsAnEmptyTrainingSet) {
   EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), ArgumentError);
 }
 
-TEST(PartExamples, HaveTheMeanNumberOfPairsThatPeopleJoin) {
+TEST(PartExamples, AveragePairsWithinOnePartOverHumanSegmentations) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1, 1};
   const Eigen::MatrixXd together = pairs_together(patch, 2, {{7, 7, 7, 7, 9}, {1, 2, 2, 2, 2}});
   EXPECT_DOUBLE_EQ(together(0, 1), (4 + 3) / 2.0);
@@ -70,7 +70,7 @@ TEST(PartExamples, HaveTheMeanNumberOfPairsThatPeopleJoin) {
   EXPECT_DOUBLE_EQ(together(1, 1), (2 + 6) / 2.0);
 }
 
-TEST(PartExamples, FollowMerges) {
+TEST(PartExamples, AreRecordedAtEachMergeOfTwoRegions) {
   // Four regions of one node in a row; the human segmentation joins 0 with 1 and 2 with 3.
   Regions regions(4);
   for (std::int32_t i = 0; i < 4; ++i) {

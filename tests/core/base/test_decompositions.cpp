@@ -6,7 +6,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Decompositions, RotateOneDirectionToAnother) {
+TEST(RotationBetween, MapsOneDirectionToAnother) {
   const Eigen::Vector3d from(2, -1, 0.5);
   for (const Eigen::Vector3d& to : {Eigen::Vector3d(0, 0, 3), Eigen::Vector3d(1, 4, -2), Eigen::Vector3d(-from)}) {
     const Eigen::Matrix3d rotation = rotation_between(from, to);
@@ -16,7 +16,7 @@ TEST(Decompositions, RotateOneDirectionToAnother) {
   }
 }
 
-TEST(Decompositions, OfASymmetricMatrixAscend) {
+TEST(EigenDecomposition, HasAscendingEigenvaluesOfASymmetricMatrix) {
   const Eigen::Matrix3d matrix{{2, 1, 0}, {1, 2, 0}, {0, 0, 5}};  // eigenvalues 1, 3, 5
   const Eigen::Vector3d values(1, 3, 5);
   const auto small = eigen_decomposition(matrix);

@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(EnvironmentVariable, ReturnsTheValueOrNothing) {
+TEST(EnvironmentVariable, DistinguishesUnsetFromEmptyValues) {
   const char* const name = "SHAPEGAUGE_TEST_OF_ENVIRONMENT";
   ASSERT_EQ(::unsetenv(name), 0);  // NOLINT(concurrency-mt-unsafe): one thread
   EXPECT_EQ(environment_variable(name), std::nullopt);

@@ -7,7 +7,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Printable, ReplacesControlCharactersAndCutsLongText) {
+TEST(PrintableText, ReplacesControlCharactersAndCutsLongText) {
   EXPECT_EQ(printable("", 3), "");
   EXPECT_EQ(printable("abc", 3), "abc");
   EXPECT_EQ(printable("abcd", 3), "abc...");
@@ -15,7 +15,7 @@ TEST(Printable, ReplacesControlCharactersAndCutsLongText) {
   EXPECT_EQ(printable("\xC3\xA9", 10), "\xC3\xA9");
 }
 
-TEST(Printable, ReplacesTerminalEscapes) {
+TEST(PrintableText, ReplacesTerminalEscapes) {
   EXPECT_EQ(printable("a\x1b[31mb"), "a?[31mb");
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m"),
@@ -28,12 +28,12 @@ TEST(Printable, ReplacesTerminalEscapes) {
   EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
 }
 
-TEST(Printable, ReplacesBidirectionalControls) {
+TEST(PrintableText, ReplacesBidirectionalControls) {
   EXPECT_EQ(printable("a\u202Eb\u2066c\u200Fd\u061C"), "a?b?c?d?");
   EXPECT_EQ(printable("\u200D\u2010\u2029\u202F\u2065\u206A"), "\u200D\u2010\u2029\u202F\u2065\u206A");
 }
 
-TEST(Printable, ReplacesInvalidUtf8AndCutsBetweenCharacters) {
+TEST(PrintableText, ReplacesInvalidUtf8AndCutsBetweenCharacters) {
   EXPECT_EQ(printable("caf\xE9"), "caf?");
   EXPECT_EQ(printable("\xE0\x80\x80"), "???");
   EXPECT_EQ(printable("\xED\xA0\x80"), "???");

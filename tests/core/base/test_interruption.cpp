@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Cancellation, RunsTheWorkAndPassesOnItsExceptions) {
+TEST(Cancellation, RunsATaskAndRethrowsItsExceptions) {
   Cancellation cancellation;
   int done = 0;
   cancellation.run([&] { ++done; });
@@ -23,14 +23,14 @@ TEST(Cancellation, RunsTheWorkAndPassesOnItsExceptions) {
   EXPECT_NO_THROW(cancellation.run([] { check_interruption(); }));
 }
 
-TEST(Cancellation, DoesNotStartCancelledWork) {
+TEST(Cancellation, DoesNotStartACancelledTask) {
   Cancellation cancellation;
   cancellation.cancel();
   EXPECT_TRUE(cancellation.requested());
   EXPECT_THROW(cancellation.run([] { FAIL(); }), Interrupted);
 }
 
-TEST(Cancellation, EndsALoopWithinALoopFromAnotherThread) {
+TEST(Cancellation, StopsANestedLoopFromAnotherThread) {
   Cancellation cancellation;
   std::atomic<bool> begun = false;
   std::atomic<bool> after_inner_loop = false;
@@ -50,7 +50,7 @@ TEST(Cancellation, EndsALoopWithinALoopFromAnotherThread) {
   EXPECT_FALSE(after_inner_loop);
 }
 
-TEST(Cancellation, EndsASerialLoop) {
+TEST(Cancellation, StopsASerialLoop) {
   Cancellation cancellation;
   EXPECT_THROW(cancellation.run([&] {
     for_each_index(false, std::int64_t{0}, std::int64_t{1} << 60, [&](std::int64_t i) {
@@ -61,7 +61,7 @@ TEST(Cancellation, EndsASerialLoop) {
   EXPECT_THROW(cancellation.run([] {}), Interrupted);
 }
 
-TEST(Cancellation, DoesNotAffectOtherWork) {
+TEST(Cancellation, DoesNotStopOtherTasks) {
   Cancellation cancelled;
   cancelled.cancel();
   Cancellation other;
@@ -70,7 +70,7 @@ TEST(Cancellation, DoesNotAffectOtherWork) {
   EXPECT_EQ(done, 100);
 }
 
-TEST(SparseInterruptionCheck, EndsALoopOfShortSteps) {
+TEST(SparseInterruptionCheck, StopsALoopOfShortStepsAfterCancellation) {
   Cancellation cancellation;
   EXPECT_THROW(cancellation.run([&] {
     cancellation.cancel();
@@ -80,7 +80,7 @@ TEST(SparseInterruptionCheck, EndsALoopOfShortSteps) {
                Interrupted);
 }
 
-TEST(ParallelLoops, DoEachPartOnceAndJoinResults) {
+TEST(ParallelLoops, VisitEachIndexOnceAndReduceResults) {
   std::vector<int> counts(1000, 0);
   parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) { ++counts[i]; });
   for_each_index(true, std::size_t{0}, counts.size(), [&](std::size_t i) { ++counts[i]; });
@@ -88,10 +88,10 @@ TEST(ParallelLoops, DoEachPartOnceAndJoinResults) {
   parallel_for(5, 5, [](int) { FAIL(); });
   parallel_for(5, 3, [](int) { FAIL(); });
   const tbb::blocked_range<std::size_t> all(0, counts.size());
-  parallel_for_parts(all, [&](const auto& part) {
+  interruptible_parallel_for(all, [&](const auto& part) {
     for (std::size_t i = part.begin(); i < part.end(); ++i) ++counts[i];
   });
-  const int sum = parallel_reduce_parts(
+  const int sum = interruptible_parallel_reduce(
       all, 0,
       [&](const auto& part, int before) {
         for (std::size_t i = part.begin(); i < part.end(); ++i) before += counts[i];

@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Length, IsANumberWithOrWithoutAUnit) {
+TEST(LengthOption, IsANumberWithOrWithoutAUnit) {
   EXPECT_EQ(parse_length("2")->value, 2);
   EXPECT_EQ(parse_length("2")->unit, "");
   EXPECT_EQ(parse_length("0.5mm")->value, 0.5);
@@ -19,7 +19,7 @@ TEST(Length, IsANumberWithOrWithoutAUnit) {
   }
 }
 
-TEST(Length, IsConvertedToTheFilesUnit) {
+TEST(LengthOption, IsConvertedToTheUnitOfTheFile) {
   EXPECT_DOUBLE_EQ(in_file_units("--below", {2, "mm"}, "mm"), 2);
   EXPECT_DOUBLE_EQ(in_file_units("--below", {2, "mm"}, "m"), 0.002);
   EXPECT_DOUBLE_EQ(in_file_units("--below", {1, "in"}, "mm"), 25.4);

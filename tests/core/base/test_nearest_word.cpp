@@ -9,14 +9,14 @@ namespace shapegauge {
 
 namespace {
 
-TEST(EditDistance, CountsEdits) {
+TEST(EditDistance, CountsInsertionsDeletionsAndReplacements) {
   EXPECT_EQ(edit_distance("", ""), 0U);
   EXPECT_EQ(edit_distance("offset", "offset"), 0U);
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
   EXPECT_EQ(edit_distance("", "abc"), 3U);
 }
 
-TEST(EditDistance, SwappingNeighboursIsOneEdit) { EXPECT_EQ(edit_distance("filed", "field"), 1U); }
+TEST(EditDistance, CountsASwapOfAdjacentLettersAsOneEdit) { EXPECT_EQ(edit_distance("filed", "field"), 1U); }
 
 TEST(EditDistance, IgnoresCase) { EXPECT_EQ(edit_distance("Embree", "EMBREE"), 0U); }
 
@@ -28,15 +28,15 @@ RC_GTEST_PROP(EditDistance, IsSymmetricAndBoundedByTheLongerWord, (const std::st
 
 const std::vector<std::string> settings{"bins", "range", "smoothing_bins"};
 
-TEST(NearestWord, FindsTheIntendedWord) {
+TEST(NearestWord, CorrectsASpellingMistake) {
   EXPECT_EQ(nearest_word("bin", settings), "bins");
   EXPECT_EQ(nearest_word("smoothing", settings), std::nullopt);
   EXPECT_EQ(nearest_word("smooting_bin", settings), "smoothing_bins");
 }
 
-TEST(NearestWord, FindsNothingForUnrelatedWords) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
+TEST(NearestWord, FindsNoWordForUnrelatedWords) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
 
-TEST(NearestWord, ShortWordsMatchFewWords) {
+TEST(NearestWord, DoesNotReplaceAllLettersOfAShortWord) {
   EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
 }
 
@@ -45,13 +45,13 @@ TEST(NearestWord, SkipsVeryLongWords) {
   EXPECT_EQ(nearest_word(endless, std::vector<std::string>{endless + 'y'}), std::nullopt);
 }
 
-TEST(Suggestion, NamesTheNearestOrAll) {
+TEST(Suggestion, NamesTheNearestWordOrAllKnownWords) {
   EXPECT_EQ(suggestion("rnage", settings), "; did you mean \"range\"?");
   EXPECT_EQ(suggestion("colour", settings), "; known here: \"bins\", \"range\", \"smoothing_bins\"");
   EXPECT_EQ(suggestion("colour", {}), "");
 }
 
-TEST(NoSuchWord, NamesTheKindAndTheStartOfTheWord) {
+TEST(UnknownWordMessage, NamesTheKindAndTheBeginningOfALongWord) {
   EXPECT_EQ(unknown_word_message("setting", "rnage", settings),
             "there is no setting \"rnage\"; did you mean \"range\"?");
   EXPECT_EQ(unknown_word_message("setting", std::string(50, 'x'), {}),

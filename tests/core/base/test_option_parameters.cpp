@@ -92,7 +92,7 @@ TEST(OptionParameters, WriteEnumerationsAsWords) {
   EXPECT_THROW(check_options("x", word_table, {.inner = {.count = 0}}), InputError);
 }
 
-TEST(OptionParameters, ListsHoldOneOrSeveralNumbersOrAuto) {
+TEST(OptionParameters, AcceptListsOfOneOrSeveralNumbersOrAuto) {
   ParameterValues values(sample_parameters);
   const auto sizes = [&] { return options_from(sample_table, values).sizes; };
   EXPECT_EQ(sizes(), (IntegerList{2, 4}));
@@ -108,7 +108,7 @@ TEST(OptionParameters, ListsHoldOneOrSeveralNumbersOrAuto) {
   EXPECT_THROW(IntegerList(std::vector<std::int64_t>(17, 1)), ArgumentError);
 }
 
-TEST(OptionParameters, AreFoundByNameAndCanBeRedescribed) {
+TEST(OptionParameters, AreFoundByNameAndCanBeCopiedWithAnotherDescription) {
   EXPECT_EQ(parameter_named("share", sample_table).bounds.high, 1);
   EXPECT_EQ(parameter_named("sizes", sample_table).kind, ParameterKind::integers);
   constexpr auto count = with_description("Another one.", sample_table[0]);
@@ -116,7 +116,7 @@ TEST(OptionParameters, AreFoundByNameAndCanBeRedescribed) {
   EXPECT_EQ(count.parameter.bounds.high, 9);
 }
 
-TEST(OptionParameters, ValuesOfOptionsMakeTheSameOptions) {
+TEST(OptionParameters, ConvertOptionsToValuesAndBack) {
   const SampleOptions options{.count = 4, .share = 0.25, .wanted = false, .sizes = {5}};
   const ParameterValues values = values_of(sample_parameters, sample_table, options);
   EXPECT_EQ(values.integer("count"), 4);
@@ -127,7 +127,7 @@ TEST(OptionParameters, ValuesOfOptionsMakeTheSameOptions) {
   EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
 }
 
-TEST(OptionParameters, OptionsAreCheckedAgainstBounds) {
+TEST(OptionParameters, CheckOptionsAgainstBounds) {
   EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
   EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);
   EXPECT_THROW(check_options("x", sample_table, {.share = 1}), InputError);

@@ -28,7 +28,7 @@ constexpr std::array<Parameter, 4> parameters{{
      .description = ""},
 }};
 
-TEST(Bounds, ClosedAndOpenEnds) {
+TEST(ParameterBounds, ContainClosedButNotOpenEndsOfTheInterval) {
   constexpr Bounds half_open{.low = 0, .high = 1, .low_open = true};
   EXPECT_FALSE(half_open.contains(0));
   EXPECT_TRUE(half_open.contains(std::numeric_limits<double>::denorm_min()));
@@ -39,7 +39,7 @@ TEST(Bounds, ClosedAndOpenEnds) {
   EXPECT_FALSE(other.contains(1));
 }
 
-TEST(Bounds, NeverContainInfinityOrNaN) {
+TEST(ParameterBounds, NeverContainInfinityOrNaN) {
   constexpr Bounds unlimited;
   EXPECT_TRUE(unlimited.contains(std::numeric_limits<double>::max()));
   EXPECT_FALSE(unlimited.contains(std::numeric_limits<double>::infinity()));
@@ -47,7 +47,7 @@ TEST(Bounds, NeverContainInfinityOrNaN) {
   EXPECT_FALSE(unlimited.contains(std::numeric_limits<double>::quiet_NaN()));
 }
 
-TEST(Bounds, InWords) {
+TEST(ParameterBounds, AreDescribedInWords) {
   EXPECT_EQ(to_string({.low = 0, .high = 1}), "from 0 to 1");
   EXPECT_EQ(to_string({.low = 0, .high = 1, .low_open = true}), "above 0 and at most 1");
   EXPECT_EQ(to_string({.low = 0, .high = 180, .low_open = true, .high_open = true}), "above 0 and below 180");
@@ -55,7 +55,7 @@ TEST(Bounds, InWords) {
   EXPECT_EQ(to_string({.high = 3, .high_open = true}), "below 3");
 }
 
-TEST(RequireInBounds, NamesTheValueAndTheBounds) {
+TEST(RequireInBounds, ReportsAValueOutOfBoundsWithTheBounds) {
   EXPECT_NO_THROW(require_in_bounds("the scale", 1, {.low = 1}));
   const auto refuse = [] { require_in_bounds("the scale", 0.5, {.low = 1}); };
   EXPECT_THAT(refuse, testing::ThrowsMessage<InputError>(testing::HasSubstr("the scale is 0.5")));
@@ -69,7 +69,7 @@ TEST(ParameterValues, BeginWithTheDefaults) {
   EXPECT_THROW(values.require_complete(), InputError);  // the offset has no default
 }
 
-TEST(ParameterValues, AcceptValidValues) {
+TEST(ParameterValues, AcceptValuesOfTheirTypeWithinBounds) {
   ParameterValues values(parameters);
   values.set("offset", 1);  // a whole number is a number
   values.set("rays", 100);
@@ -84,7 +84,7 @@ TEST(ParameterValues, AcceptValidValues) {
   EXPECT_EQ(values.word("offset"), "auto");
 }
 
-TEST(ParameterValues, WordsOutliveTheirSource) {
+TEST(ParameterValues, OwnCopiesOfTheirWords) {
   ParameterValues values(parameters);
   {
     std::string source = "cgal";
@@ -94,7 +94,7 @@ TEST(ParameterValues, WordsOutliveTheirSource) {
   EXPECT_EQ(values.word("engine"), "cgal");
 }
 
-TEST(ParameterValues, RejectInvalidValues) {
+TEST(ParameterValues, RejectUnknownNamesWrongTypesAndValuesOutOfBounds) {
   ParameterValues values(parameters);
   EXPECT_THROW(values.set("offset", 0.0), InputError);
   EXPECT_THROW(values.set("offset", std::string_view("embree")), InputError);
@@ -109,7 +109,7 @@ TEST(ParameterValues, RejectInvalidValues) {
   EXPECT_EQ(values.integer("rays"), 25) << "a rejected value leaves the old one";
 }
 
-TEST(ParseValue, ParsesValidText) {
+TEST(ParseValue, ParsesNumbersBooleansWordsAndLists) {
   EXPECT_EQ(parse_value(parameters[0], "2e-1"), ParameterValue(0.2));
   EXPECT_EQ(parse_value(parameters[0], "auto"), ParameterValue("auto"));
   EXPECT_EQ(parse_value(parameters[1], "7"), ParameterValue(std::int64_t{7}));
@@ -121,7 +121,7 @@ TEST(ParseValue, ParsesValidText) {
   EXPECT_EQ(to_string(parse_value(sizes, "3,1,2")), "3,1,2");
 }
 
-TEST(ParseValue, RejectsInvalidText) {
+TEST(ParseValue, RejectsTextOfAnotherTypeOrOutOfBounds) {
   constexpr Parameter sizes{.name = "sizes", .kind = ParameterKind::integers, .bounds = {.low = 1}, .description = ""};
   for (const std::string_view text : {"", "3,", ",3", "3;4", "3 4", "0", "1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8", "1.5"}) {
     EXPECT_THROW(parse_value(sizes, text), InputError) << text;
@@ -136,7 +136,7 @@ TEST(ParseValue, RejectsInvalidText) {
   EXPECT_THROW(parse_value(parameters[3], "other"), InputError);
 }
 
-TEST(ParameterValues, ErrorsStateTheValidValues) {
+TEST(ParameterValues, StateTheValidValuesInErrors) {
   ParameterValues values(parameters);
   const auto message_of = [&](std::string_view name, const ParameterValue& value) -> std::string {
     try {

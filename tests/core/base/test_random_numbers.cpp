@@ -11,7 +11,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(RandomNumbers, StreamsAreReproducibleAndDifferent) {
+TEST(RandomNumbers, StreamsAreReproducibleAndDifferFromEachOther) {
   RandomNumbers a(5, 1);
   RandomNumbers b(5, 1);
   RandomNumbers other_stream(5, 2);
@@ -30,7 +30,7 @@ TEST(RandomNumbers, StreamsOfOneSeedBeginDifferently) {
   EXPECT_EQ(first.size(), 1000U);
 }
 
-TEST(RandomNumbers, UniformStaysInRangeAndHasItsMeanAndVariance) {
+TEST(RandomNumbers, UniformNumbersStayInRangeWithTheExpectedMeanAndVariance) {
   RandomNumbers random(1);
   constexpr int n = 100000;
   double sum = 0;
@@ -48,7 +48,7 @@ TEST(RandomNumbers, UniformStaysInRangeAndHasItsMeanAndVariance) {
   EXPECT_NEAR(squares / n - mean * mean, 3, 0.05);
 }
 
-TEST(RandomNumbers, BelowIsUniform) {
+TEST(RandomNumbers, BelowDrawsIntegersUniformly) {
   RandomNumbers random(1);
   constexpr int n = 70000;
   std::array<int, 7> drawn{};

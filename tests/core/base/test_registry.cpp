@@ -29,7 +29,7 @@ void check_visible(const Colour& colour) {
   if (colour.wavelength < 380 || colour.wavelength > 750) throw ArgumentError("cannot be seen: " + colour.name);
 }
 
-TEST(Registry, ListsBuiltInEntriesThenAddedOnesInOrder) {
+TEST(Registry, ListsBuiltInEntriesBeforeUserDefinedEntries) {
   Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}}, has_functions<>);
   colours.add({"blue", 470});
   EXPECT_THAT(colours.names(), ElementsAre("red", "green", "blue"));
@@ -39,7 +39,7 @@ TEST(Registry, ListsBuiltInEntriesThenAddedOnesInOrder) {
   EXPECT_EQ(colours.find_if([](const Colour& colour) { return colour.wavelength < 600; })->name, "green");
 }
 
-TEST(Registry, RejectsEntriesWithMissingTakenOrInvalidNames) {
+TEST(Registry, RejectsEntriesWithEmptyDuplicateOrInvalidNames) {
   Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>, check_visible);
   EXPECT_THROW(colours.add({"", 500}), InputError);
   EXPECT_THROW(colours.add({"red", 690}), InputError);
@@ -52,7 +52,7 @@ TEST(Registry, RefusesAnEntryWithoutItsFunctions) {
   Registry<Mixture> mixtures("mixture", {}, has_functions<&Mixture::mix, &Mixture::separate>);
   const auto twice = [](int parts) { return 2 * parts; };
   EXPECT_THAT([&] { mixtures.add({.name = "grey", .mix = nullptr, .separate = twice}); },
-              ThrowsMessage<ArgumentError>(R"(the mixture "grey" lacks a function)"));
+              ThrowsMessage<ArgumentError>(R"(the mixture "grey" lacks a mandatory function)"));
   EXPECT_THROW(mixtures.add({.name = "grey", .mix = twice, .separate = {}}), ArgumentError);
   mixtures.add({.name = "grey", .mix = twice, .separate = twice});
   EXPECT_THAT(mixtures.names(), ElementsAre("grey"));

@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Lines, EndInLfOrCrLf) {
+TEST(TextLines, EndWithLineFeedOrCarriageReturnAndLineFeed) {
   EXPECT_THAT(split_lines("a\nb\r\n\nc"), ElementsAre("a", "b", "", "c"));
   EXPECT_THAT(split_lines("a\n"), ElementsAre("a"));
   EXPECT_THAT(split_lines("a\r\rb\r"), ElementsAre("a", "", "b"));
@@ -24,12 +24,12 @@ TEST(Lines, EndInLfOrCrLf) {
   EXPECT_THAT(split_lines(""), ElementsAre());
 }
 
-TEST(Lines, SkipAByteOrderMark) {
+TEST(TextLines, ExcludeAByteOrderMark) {
   EXPECT_THAT(split_lines("\xEF\xBB\xBFx\ny"), ElementsAre("x", "y"));
   EXPECT_THAT(split_lines("\xEF\xBB\xBF"), ElementsAre());
 }
 
-TEST(Lines, AreTrimmed) {
+TEST(TextLines, AreTrimmed) {
   EXPECT_EQ(trim(" \ta b\t "), "a b");
   EXPECT_EQ(trim(" \t"), "");
   EXPECT_EQ(trim(""), "");
@@ -52,23 +52,23 @@ TEST(ParseNumber, AcceptsCommonNotations) {
   EXPECT_TRUE(std::isnan(parse_number("nan").value()));
 }
 
-TEST(ParseNumber, RejectsOtherText) {
+TEST(ParseNumber, RejectsTextThatIsNotANumber) {
   for (const char* const word : {"", "+", "+-1", "++1", "1,5", "1 ", " 1", "0x10", "one", "1e", "1e999", "T1"}) {
     EXPECT_FALSE(parse_number(word)) << word;
   }
 }
 
-RC_GTEST_PROP(ParseNumber, ReadsBackShortestRepresentations, (double value)) {
+RC_GTEST_PROP(ParseNumber, RestoresTheShortestRepresentationExactly, (double value)) {
   RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
 }
 
-TEST(Counted, UsesSingularAndPlural) {
+TEST(CountText, UsesSingularAndPlural) {
   EXPECT_EQ(count_text(1, "row", "rows"), "1 row");
   EXPECT_EQ(count_text(0, "row", "rows"), "0 rows");
   EXPECT_EQ(count_text(1234, "row", "rows"), "1234 rows");
 }
 
-TEST(TwoDigits, NeverUseAnExponent) {
+TEST(TwoDigits, KeepTwoSignificantDigitsOrTheIntegerPart) {
   EXPECT_EQ(two_digits(0.1234), "0.12");
   EXPECT_EQ(two_digits(99.4), "99");
   EXPECT_EQ(two_digits(99.9), "100");
@@ -76,7 +76,7 @@ TEST(TwoDigits, NeverUseAnExponent) {
   EXPECT_EQ(two_digits(1e9), "1e+09");
 }
 
-TEST(PlainNumber, NeverUsesAnExponent) {
+TEST(PlainNumber, AvoidsExponentsExceptForHugeNumbers) {
   const std::vector<std::pair<double, std::string>> cases{{0, "0"},
                                                           {6, "6"},
                                                           {1.7320508, "1.73205"},
@@ -87,7 +87,7 @@ TEST(PlainNumber, NeverUsesAnExponent) {
   for (const auto& [number, text] : cases) EXPECT_EQ(plain_number(number, 6), text);
 }
 
-TEST(QuotedWord, IsQuotedOnOneLine) {
+TEST(QuotedWord, IsPrintedOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");
   EXPECT_EQ(quoted_word(std::string_view("a\nb\0c\x7f", 6)), "\"a?b?c?\"");

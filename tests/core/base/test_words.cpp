@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 3> words_of<Season>{"spring", "sum
 
 namespace {
 
-TEST(Words, MatchEnumeratorsInOrder) {
+TEST(EnumerationWords, MatchTheEnumeratorsInOrder) {
   EXPECT_EQ(word_of(Season::spring), "spring");
   EXPECT_EQ(word_of(Season::autumn), "autumn");
   EXPECT_EQ(value_of_word<Season>("summer"), Season::summer);

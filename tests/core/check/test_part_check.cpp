@@ -299,7 +299,7 @@ void expect_regions(const Part& part, const Shape& shape, const Eigen::Matrix3d&
   }
 }
 
-TEST(PartCheck, MeasuresRegionsInThreeResolutionsTurnedAndStraight) {
+TEST(PartCheck, FindsTheSameRegionsForAnyResolutionAndRotation) {
   for (const Part& part : parts()) {
     for (int resolution = 0; resolution < 3; ++resolution) {
       const Shape shape = part.shape(resolution);
@@ -340,7 +340,7 @@ TEST(PartCheck, CracksAtTJunctionsDoNotSplitRegions) {
 }
 
 /// Noise of 0.1 % of the diagonal moves each side of a wall by up to that much.
-TEST(PartCheck, NoiseMovesTheMinimumThicknessByItsAmplitude) {
+TEST(PartCheck, MinimumThicknessChangesByTheAmplitudeOfNoise) {
   for (const Part& part : parts()) {
     SCOPED_TRACE(part.name);
     if (part.curved) continue;
@@ -417,7 +417,7 @@ Shape solid(const Polygon& polygon, const std::vector<Section>& sections) {
 
 Shape solid(const Polygon& polygon, double length) { return solid(polygon, {{0, 1}, {length, 1}}); }
 
-TEST(PartCheck, SharpEdgesAreNoWalls) {
+TEST(PartCheck, SharpEdgesAreNotReportedAsThinWalls) {
   const Polygon triangle = regular(3, 2 * std::sqrt(3));  // of side 6
   const PartReport sharp = check_part(solid(triangle, 10), {.min_wall = wall_limit});
   ASSERT_EQ(sharp.walls.regions.size(), 3);
@@ -432,7 +432,7 @@ TEST(PartCheck, SharpEdgesAreNoWalls) {
   EXPECT_TRUE(right_angled.walls.regions.empty());
 }
 
-TEST(PartCheck, SharpEdgesAndPointsOfThickPartsPass) {
+TEST(PartCheck, ThickPartsWithSharpEdgesAndTipsPass) {
   const double slope = std::tan(25 * std::numbers::pi / 180);
   const std::vector<Section> spike{{0, 1}, {3 / slope, 0}};  // of 50 degrees
   const std::vector<std::pair<std::string, Shape>> shapes{
@@ -448,7 +448,7 @@ TEST(PartCheck, SharpEdgesAndPointsOfThickPartsPass) {
   }
 }
 
-TEST(PartCheck, NoiseMakesNoWallsOfEdges) {
+TEST(PartCheck, SharpEdgesWithNoiseAreNotReportedAsThinWalls) {
   const Polygon coarse = regular(3, 2 * std::sqrt(3));
   Polygon fine;
   for (std::size_t i = 0; i < 24; ++i) {
@@ -464,7 +464,7 @@ TEST(PartCheck, NoiseMakesNoWallsOfEdges) {
 }
 
 /// All of them are thin everywhere, whatever their sections, and have sharp edges or points as well.
-TEST(PartCheck, ThinRodsAndLimbsAreWalls) {
+TEST(PartCheck, ThinRodsAndLimbsAreReportedAsThinWalls) {
   const double diameter = 2 * wall_limit / 3;
   const double tip = diameter / 2 / std::tan(25 * std::numbers::pi / 180);
   for (const int sides : {3, 4, 6, 8, 32}) {
@@ -487,14 +487,14 @@ TEST(PartCheck, ThinRodsAndLimbsAreWalls) {
   EXPECT_FALSE(capsule.regions[0].is_edge);
 }
 
-TEST(PartCheck, SharpRimsOfThinPlatesBelongToTheWall) {
+TEST(PartCheck, SharpRimOfAThinPlateBelongsToItsThinWall) {
   const PartReport report = check_part(solid(bevelled(1), 10), {.min_wall = wall_limit});
   ASSERT_EQ(report.walls.regions.size(), 1);
   EXPECT_FALSE(report.walls.regions[0].is_edge);
 }
 
 /// A tail of triangular section: its ridges are sharp edges where it is thick, and the thin end is a wall.
-TEST(PartCheck, ThinLimbsAreToldFromTheSharpEdgesThatJoinThem) {
+TEST(PartCheck, ThinLimbIsSeparatedFromAdjoiningSharpEdges) {
   const Shape tail = solid(regular(3, 6), {{0, 1}, {120, 0.05}});
   const PartReport report = check_part(tail, {.min_wall = wall_limit});
   EXPECT_FALSE(report.passes());
@@ -510,17 +510,17 @@ TEST(PartCheck, ThinLimbsAreToldFromTheSharpEdgesThatJoinThem) {
   EXPECT_LE(area, area_below(scale + reach * 0.95 / 120));
 }
 
-TEST(PartCheck, CountsVoids) {
+TEST(PartCheck, CountsEnclosedVoids) {
   EXPECT_EQ(check_part(sphere_with_void().shape(0), {.min_gap = 1}).voids, 1);
   EXPECT_EQ(check_part(test::box({1, 1, 1}, 1), {.min_gap = 1}).voids, 0);
 }
 
-TEST(PartCheck, MeshesThatFaceInwardsHaveTheSameWalls) {
+TEST(PartCheck, FindsTheSameWallsOnAMeshTurnedInsideOut) {
   const Part part = plate();
   expect_regions(part, test::flipped(part.shape(1)), Eigen::Matrix3d::Identity(), "inside out");
 }
 
-TEST(PartCheck, RegionsNameTheirFaces) {
+TEST(PartCheck, RegionsListTheirFaces) {
   const Shape shape = plate().shape(0);
   const PartReport report = check_part(shape, {.min_wall = wall_limit});
   ASSERT_EQ(report.walls.regions.size(), 2);
@@ -533,7 +533,7 @@ TEST(PartCheck, RegionsNameTheirFaces) {
   }
 }
 
-TEST(PartCheck, SurfaceIsDividedAlongTheRegions) {
+TEST(PartCheck, SubdividesTheSurfaceAlongRegionBorders) {
   const Part part = stepped_plate();
   const Shape shape = part.shape(0);
   CheckOptions options = part.limits;
@@ -554,7 +554,7 @@ TEST(PartCheck, SurfaceIsDividedAlongTheRegions) {
   EXPECT_NEAR(thin, expected, 0.02 * expected);
 }
 
-TEST(PartCheck, SmallRegionsAreCountedOnly) {
+TEST(PartCheck, RegionsBelowTheMinimumAreaAreCountedButNotListed) {
   const Part part = wedge();
   const double smaller = part.regions[1].area;
   const PartReport report =
@@ -564,7 +564,7 @@ TEST(PartCheck, SmallRegionsAreCountedOnly) {
   EXPECT_NEAR(report.walls.small_area, smaller, 0.01 * smaller);
 }
 
-TEST(PartCheck, PartsMuchSmallerThanTheLimitAreThinWalls) {
+TEST(PartCheck, PartSmallerThanTheLimitIsOneThinWall) {
   const Shape box = test::box({1, 1, 1}, 1);
   for (const double limit : {2.0, 30.0, 1e6}) {
     const PartReport report = check_part(box, {.min_wall = limit});
@@ -575,7 +575,7 @@ TEST(PartCheck, PartsMuchSmallerThanTheLimitAreThinWalls) {
   }
 }
 
-TEST(PartCheck, IsTheSameOnOneThread) {
+TEST(PartCheck, ReportIsTheSameOnOneAndSeveralThreads) {
   const Shape shape = lattice().shape(1);
   CheckOptions options = lattice().limits;
   const PartReport all = check_part(shape, options);
@@ -587,7 +587,7 @@ TEST(PartCheck, IsTheSameOnOneThread) {
   EXPECT_EQ(one.walls.regions[0].position, all.walls.regions[0].position);
 }
 
-TEST(PartCheck, RefusesCloudsAndLimitsWithoutMeaning) {
+TEST(PartCheck, RejectsCloudsAndMissingNegativeOrNonFiniteLimits) {
   const Shape box = test::box({1, 1, 1}, 1);
   EXPECT_THROW(check_part(test::random_points(box, 10, 1), {.min_wall = 1}), InputError);
   EXPECT_THROW(check_part(box, {}), ArgumentError);

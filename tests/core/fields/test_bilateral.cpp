@@ -37,7 +37,7 @@ ScalarField noisy_step(const Samples& samples, double noise) {
   return field;
 }
 
-TEST(Bilateral, KeepsStepsAndRemovesNoise) {
+TEST(BilateralSmoothing, KeepsStepsAndRemovesNoise) {
   for (const Site& site : sites()) {
     const ScalarField field = noisy_step(site.samples, 0.1);
     const ScalarField smooth =
@@ -51,7 +51,7 @@ TEST(Bilateral, KeepsStepsAndRemovesNoise) {
   }
 }
 
-TEST(Bilateral, BecomesAPlainBlurForLargeValueWidths) {
+TEST(BilateralSmoothing, BlursStepsForLargeValueWidths) {
   const Site site = sites()[1];
   const ScalarField step = noisy_step(site.samples, 0);
   const BilateralOptions options = {.iterations = 3, .spatial_width = 0.05, .value_width = 100};
@@ -59,7 +59,7 @@ TEST(Bilateral, BecomesAPlainBlurForLargeValueWidths) {
   EXPECT_GT((blurred.values - step.values).cwiseAbs().maxCoeff(), 0.25);
 }
 
-TEST(Bilateral, StaysWithinTheRangeOfTheValues) {
+TEST(BilateralSmoothing, StaysWithinTheRangeOfTheValues) {
   const Site site = sites()[0];
   const ScalarField field = noisy_step(site.samples, 1);
   const ScalarField smooth = bilateral_smoothing(site.shape, site.samples, field, {.iterations = 2});
@@ -68,7 +68,7 @@ TEST(Bilateral, StaysWithinTheRangeOfTheValues) {
   EXPECT_EQ(smooth.weights, field.weights);
 }
 
-TEST(Bilateral, NoIterationsAndNoDifferencesChangeNothing) {
+TEST(BilateralSmoothing, KeepsValuesWithoutIterationsAndOnAConstantField) {
   const Site site = sites()[0];
   const ScalarField field = noisy_step(site.samples, 1);
   EXPECT_EQ(bilateral_smoothing(site.shape, site.samples, field, {.iterations = 0}).values, field.values);
@@ -76,7 +76,7 @@ TEST(Bilateral, NoIterationsAndNoDifferencesChangeNothing) {
   EXPECT_TRUE(bilateral_smoothing(site.shape, site.samples, flat).values.isApprox(flat.values, 1e-14));
 }
 
-TEST(Bilateral, KeepsNanAndDoesNotSpreadIt) {
+TEST(BilateralSmoothing, KeepsMissingValuesAndDoesNotSpreadThem) {
   const Site site = sites()[0];
   ScalarField field = noisy_step(site.samples, 0.1);
   field.values[10] = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +85,7 @@ TEST(Bilateral, KeepsNanAndDoesNotSpreadIt) {
   EXPECT_EQ(smooth.values.array().isNaN().count(), 1);
 }
 
-TEST(Bilateral, RefusesOptionsOutOfRangeAndOtherSamples) {
+TEST(BilateralSmoothing, RefusesOptionsOutOfRangeAndFieldsOfOtherSamples) {
   const Site site = sites()[0];
   const ScalarField field = noisy_step(site.samples, 0.1);
   for (const BilateralOptions& options :
@@ -96,7 +96,7 @@ TEST(Bilateral, RefusesOptionsOutOfRangeAndOtherSamples) {
   EXPECT_THROW(bilateral_smoothing(test::sphere(1, 2), site.samples, field), InputError);
 }
 
-TEST(Bilateral, IsTheWeightedMeanWithinTwoWidths) {
+TEST(BilateralSmoothing, IsTheWeightedMeanWithinTwoSpatialWidths) {
   const Shape one{Points{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, Triangles{{0, 1, 2}}};
   const ScalarField field{Eigen::Vector3d(0, 1, 5), Eigen::Vector3d(1, 2, 1)};  // the width is 0.4 sqrt(4) = 0.8
   const double near = 2 * std::exp(-0.5 / (0.8 * 0.8));

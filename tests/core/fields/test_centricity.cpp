@@ -39,11 +39,11 @@ Shape disc(int rings) {
   return shape;
 }
 
-class CentricityMethods : public testing::TestWithParam<GeodesicMethod> {};
-INSTANTIATE_TEST_SUITE_P(All, CentricityMethods,
+class CentricityByEachMethod : public testing::TestWithParam<GeodesicMethod> {};
+INSTANTIATE_TEST_SUITE_P(All, CentricityByEachMethod,
                          testing::Values(GeodesicMethod::graph, GeodesicMethod::heat, GeodesicMethod::exact));
 
-TEST_P(CentricityMethods, OfASphereIsAQuarterOfItsCircumferenceEverywhere) {
+TEST_P(CentricityByEachMethod, OfASphereIsAQuarterOfItsCircumferenceEverywhere) {
   const Eigen::VectorXd values = at_vertices(sphere(2, 3), {.geodesics = {.method = GetParam()}});
   // Paths of the graph are up to 6 % too long; cells of sources are about 25 degrees wide.
   EXPECT_NEAR(values.mean(), std::numbers::pi, 0.05 * std::numbers::pi);
@@ -51,7 +51,7 @@ TEST_P(CentricityMethods, OfASphereIsAQuarterOfItsCircumferenceEverywhere) {
   EXPECT_NEAR(values.maxCoeff(), std::numbers::pi, 0.1 * std::numbers::pi);
 }
 
-TEST_P(CentricityMethods, EccentricityOfASphereIsHalfItsCircumference) {
+TEST_P(CentricityByEachMethod, EccentricityOfASphereIsHalfItsCircumference) {
   const Eigen::VectorXd values =
       at_vertices(sphere(2, 3), {.measure = Centricity::eccentricity, .geodesics = {.method = GetParam()}});
   EXPECT_NEAR(values.maxCoeff(), 2 * std::numbers::pi, 0.1 * std::numbers::pi);
@@ -77,7 +77,7 @@ TEST(CentricityOfDisc, MatchesTheDefinitionWithAllSources) {
   }
 }
 
-TEST(Centricity, IsSmallInTheMiddleAndLargeAtTheEnds) {
+TEST(Centricity, IsSmallInTheMiddleOfAShapeAndLargeAtItsEnds) {
   const Shape bar = test::box({0.3, 0.3, 4}, 16);
   const Eigen::VectorXd values = at_vertices(bar);
   Eigen::Index least = 0;
@@ -88,7 +88,7 @@ TEST(Centricity, IsSmallInTheMiddleAndLargeAtTheEnds) {
   EXPECT_GT(std::abs(bar.vertices(most, 2)), 1.9);
 }
 
-TEST(Centricity, IsProportionalToScaleAndFollowsTheOrder) {
+TEST(Centricity, IsProportionalToScaleAndFollowsTheOrderOfVertices) {
   const Shape shape = test::capsule(0.3, 1, 16, 20);
   const auto [other, vertices, triangles] = test::permuted(shape, 3);
   const Eigen::VectorXd expected = at_vertices(shape);
@@ -99,7 +99,7 @@ TEST(Centricity, IsProportionalToScaleAndFollowsTheOrder) {
   }
 }
 
-TEST(Centricity, FacesAndSurfaceSamplesLieBetweenTheirCorners) {
+TEST(Centricity, ValueInATriangleLiesBetweenThoseOfItsCorners) {
   const Shape shape = test::capsule(0.3, 1, 16, 20);
   const Eigen::VectorXd corners = at_vertices(shape);
   const Samples surface = sample_surface(shape, 500);
@@ -114,17 +114,17 @@ TEST(Centricity, FacesAndSurfaceSamplesLieBetweenTheirCorners) {
   EXPECT_NEAR(at_faces[0], corners(shape.triangles.row(0)).mean(), 1e-12);
 }
 
-TEST(Centricity, InterpolatesLinearFieldsExactly) {
+TEST(Centricity, InterpolatesLinearFunctionsInTrianglesExactly) {
   const Shape shape = sphere(1, 1);
   const Samples surface = sample_surface(shape, 100);
-  EXPECT_LT((at_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((interpolate_to_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Centricity, SubsetsOfACloudHaveTheSameValues) {
+TEST(Centricity, SampledPointsOfACloudHaveTheValuesOfTheWholeCloud) {
   const Shape cloud = test::random_points(sphere(1, 2), 300, 1);
   const Samples some = sample_surface(cloud, 40);
-  EXPECT_EQ(at_samples(cloud, some, cloud.vertices), some.points);
-  EXPECT_EQ(centricity(cloud, some), at_samples(cloud, some, at_vertices(cloud)));
+  EXPECT_EQ(interpolate_to_samples(cloud, some, cloud.vertices), some.points);
+  EXPECT_EQ(centricity(cloud, some), interpolate_to_samples(cloud, some, at_vertices(cloud)));
   EXPECT_THROW(centricity(test::random_points(sphere(1, 2), 300, 2), some), InputError);
 }
 

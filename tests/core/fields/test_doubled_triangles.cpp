@@ -34,20 +34,21 @@ double largest_difference(const Eigen::VectorXd& found, const Eigen::VectorXd& e
   return largest;
 }
 
-using test::for_each_doubling;
+using test::for_each_variant_with_duplicates;
 
 TEST(DoubledTriangles, DoNotChangeGeodesicDistances) {
   const auto distances = [](const Shape& mesh) -> Eigen::VectorXd { return geodesic_distances(mesh)(3); };
-  for_each_doubling(distances, [&](const Eigen::VectorXd& expected, const test::DoubledShape& doubled) {
-    EXPECT_EQ(largest_difference(distances(doubled.shape), expected(doubled.vertices)), 0);
-  });
+  for_each_variant_with_duplicates(
+      distances, [&](const Eigen::VectorXd& expected, const test::ShapeWithDuplicates& doubled) {
+        EXPECT_EQ(largest_difference(distances(doubled.shape), expected(doubled.vertices)), 0);
+      });
 }
 
 TEST(DoubledTriangles, DoNotChangeExactGeodesicDistances) {
   const Shape torus = test::torus(1, 0.35, 8, 12);
   for (const GeodesicMethod method : {GeodesicMethod::heat, GeodesicMethod::exact}) {
     const Eigen::VectorXd expected = geodesic_distances(torus, {.method = method})(3);
-    for (const test::DoubledShape& doubled : test::doublings(torus)) {
+    for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(torus)) {
       SCOPED_TRACE(doubled.name);
       EXPECT_EQ(
           largest_difference(geodesic_distances(doubled.shape, {.method = method})(3), expected(doubled.vertices)), 0);
@@ -59,29 +60,32 @@ TEST(DoubledTriangles, DoNotChangeCentricity) {
   const auto values = [](const Shape& mesh) {
     return centricity(mesh, sample_shape(mesh, SampleSite::faces), {.sources = 12});
   };
-  for_each_doubling(values, [&](const Eigen::VectorXd& expected, const test::DoubledShape& doubled) {
-    EXPECT_TRUE(values(doubled.shape).isApprox(expected(doubled.triangles), rounding));
-  });
+  for_each_variant_with_duplicates(values,
+                                   [&](const Eigen::VectorXd& expected, const test::ShapeWithDuplicates& doubled) {
+                                     EXPECT_TRUE(values(doubled.shape).isApprox(expected(doubled.triangles), rounding));
+                                   });
 }
 
 TEST(DoubledTriangles, DoNotChangeTheLaplacian) {
-  for_each_doubling(cotangent_laplacian, [](const Laplacian& expected, const test::DoubledShape& doubled) {
-    const Laplacian found = cotangent_laplacian(doubled.shape);
-    EXPECT_TRUE(found.mass == expected.mass);
-    EXPECT_EQ((found.stiffness - expected.stiffness).norm(), 0);
-    for (std::size_t v = 0; v < found.node_of.size(); ++v) {
-      EXPECT_EQ(found.node_of[v], expected.node_of[static_cast<std::size_t>(doubled.vertices[v])]);
-    }
-  });
+  for_each_variant_with_duplicates(
+      cotangent_laplacian, [](const Laplacian& expected, const test::ShapeWithDuplicates& doubled) {
+        const Laplacian found = cotangent_laplacian(doubled.shape);
+        EXPECT_TRUE(found.mass == expected.mass);
+        EXPECT_EQ((found.stiffness - expected.stiffness).norm(), 0);
+        for (std::size_t v = 0; v < found.node_of.size(); ++v) {
+          EXPECT_EQ(found.node_of[v], expected.node_of[static_cast<std::size_t>(doubled.vertices[v])]);
+        }
+      });
 }
 
 TEST(DoubledTriangles, DoNotChangeHeatKernels) {
   const auto heat = [](const Shape& mesh) {
     return heat_kernel_signature(laplacian_spectrum(mesh, 12), surface_area(mesh), 0.05);
   };
-  for_each_doubling(heat, [&](const Eigen::VectorXd& expected, const test::DoubledShape& doubled) {
-    EXPECT_LT(largest_difference(heat(doubled.shape), expected(doubled.vertices)), rounding);
-  });
+  for_each_variant_with_duplicates(
+      heat, [&](const Eigen::VectorXd& expected, const test::ShapeWithDuplicates& doubled) {
+        EXPECT_LT(largest_difference(heat(doubled.shape), expected(doubled.vertices)), rounding);
+      });
 }
 
 TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
@@ -91,9 +95,10 @@ TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
     return bilateral_smoothing(mesh, samples, {values, samples.weights}, {.iterations = 2, .spatial_width = 0.04})
         .values;
   };
-  for_each_doubling(smooth, [&](const Eigen::VectorXd& expected, const test::DoubledShape& doubled) {
-    EXPECT_TRUE(smooth(doubled.shape).isApprox(expected(doubled.triangles), rounding));
-  });
+  for_each_variant_with_duplicates(smooth,
+                                   [&](const Eigen::VectorXd& expected, const test::ShapeWithDuplicates& doubled) {
+                                     EXPECT_TRUE(smooth(doubled.shape).isApprox(expected(doubled.triangles), rounding));
+                                   });
 }
 
 }  // namespace

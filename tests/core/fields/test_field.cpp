@@ -55,7 +55,7 @@ Eigen::VectorXd values_of(const FieldSettings& settings, const Shape& shape) {
   return compute(make_field(settings), shape).values;
 }
 
-TEST(MakeField, OffsetSdfMatchesTheFunction) {
+TEST(MakeField, OffsetSdfFieldMatchesTheLibraryFunction) {
   const Shape shape = test::sphere(1, 1);
   const FieldValues computed = compute(make_field(settings_of("offset_sdf", {{"offset", 0.03}}, vertex_plan)), shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
@@ -63,7 +63,7 @@ TEST(MakeField, OffsetSdfMatchesTheFunction) {
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
 }
 
-TEST(MakeField, AppliesTheAccuracyOfTheOffsetSdf) {
+TEST(MakeField, OffsetSdfFieldUsesTheAccuracySetting) {
   const Shape shape = test::torus(1, 0.4, 24, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   for (const auto& [word, accuracy] : {std::pair("fast", OffsetAccuracy::fast),
@@ -75,7 +75,7 @@ TEST(MakeField, AppliesTheAccuracyOfTheOffsetSdf) {
   EXPECT_THROW(settings_of("offset_sdf", {{"accuracy", "finest"}}), InputError);
 }
 
-TEST(MakeField, AppliesTheGeodesicMethodOfCentricity) {
+TEST(MakeField, CentricityFieldUsesTheGeodesicMethodSetting) {
   const Shape shape = test::torus(1, 0.4, 12, 8);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const auto by = [&](GeodesicMethod method) {
@@ -89,7 +89,7 @@ TEST(MakeField, AppliesTheGeodesicMethodOfCentricity) {
   }
 }
 
-TEST(WeightsWarning, WarnsOfUndefinedAreas) {
+TEST(WeightsWarning, WarnsIfTriangleAreasAreUndefined) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (const double scale : {1.0, 1e30, 1e-30}) {
     const Shape scaled = test::transformed(box, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
@@ -104,7 +104,7 @@ TEST(WeightsWarning, WarnsOfUndefinedAreas) {
   EXPECT_THAT(warning_at(1e-160), HasSubstr("too small")) << "subnormal";
 }
 
-TEST(OutcomeWarnings, WarnOfNotableSampleOutcomes) {
+TEST(OutcomeWarnings, WarnOfUndecidedAndMissingSamplesAndEnlargedOffsets) {
   EXPECT_TRUE(outcome_warnings({{"total", 9}, {"direct", 9}, {"missing", 0}}).empty());
   const std::vector<std::string> warnings =
       outcome_warnings({{"total", 9}, {"undecided", 1}, {"missing", 2}, {"enlarged", 9}});
@@ -113,7 +113,7 @@ TEST(OutcomeWarnings, WarnOfNotableSampleOutcomes) {
   EXPECT_THAT(warnings[2], HasSubstr("larger offset"));
 }
 
-TEST(MakeField, ConeSdfMatchesTheFunction) {
+TEST(MakeField, ConeSdfFieldMatchesTheLibraryFunction) {
   const Shape shape = test::sphere(1, 1);
   const Field field = make_field(settings_of("cone_sdf", {{"rays", 9}, {"opening_angle_degrees", 40}}));
   EXPECT_EQ(field.settings.samples.site, SampleSite::faces);
@@ -125,7 +125,7 @@ TEST(MakeField, ConeSdfMatchesTheFunction) {
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
 }
 
-TEST(MakeField, CentricityMatchesTheFunction) {
+TEST(MakeField, CentricityFieldMatchesTheLibraryFunction) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   const CentricityOptions options{.measure = Centricity::eccentricity, .sources = 9};
@@ -134,21 +134,21 @@ TEST(MakeField, CentricityMatchesTheFunction) {
   EXPECT_EQ(values_of(settings_of("centricity"), shape), centricity(shape, samples));
 }
 
-TEST(MakeField, FieldsOnTheProxyMatchTheProxySource) {
+TEST(MakeField, FieldsOnTheProxyMatchDirectComputationOnIt) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   ProxySource source(shape);
   EXPECT_EQ(values_of(settings_of("centricity", {{"on", "proxy"}}), shape),
-            source.at_samples(samples, centricity(source.geodesics(), Centricity::mean)));
+            source.interpolate_to_samples(samples, centricity(source.geodesics(), Centricity::mean)));
   const Eigen::VectorXd heat = heat_kernel_signature(source.spectrum(20), source.proxy().areas.sum(), 0.1);
   EXPECT_EQ(values_of(settings_of("heat_kernel", {{"time", 0.1}, {"eigenvalues", 20}, {"on", "proxy"}}), shape),
-            source.at_samples(samples, heat));
+            source.interpolate_to_samples(samples, heat));
   const Shape cloud = test::random_points(shape, 500, 1);
   EXPECT_TRUE(values_of(settings_of("heat_kernel", {{"on", "proxy"}}, vertex_plan), cloud).allFinite());
   EXPECT_THROW(make_field(settings_of("centricity", {{"on", "proxy"}, {"method", "heat"}})), InputError);
 }
 
-TEST(MakeField, HeatKernelsMatchTheFunction) {
+TEST(MakeField, HeatKernelFieldsMatchTheLibraryFunctions) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const double area = surface_area(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 20);
@@ -163,7 +163,7 @@ TEST(MakeField, HeatKernelsMatchTheFunction) {
   EXPECT_THROW(make_field(settings_of("wave_kernel", {{"energy", 16}})), InputError);
 }
 
-TEST(MakeField, SmoothsAnyField) {
+TEST(MakeField, AppliesBilateralSmoothingToAnyField) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   const FieldSettings plain = settings_of("cone_sdf", {{"rays", 5}});
@@ -176,7 +176,7 @@ TEST(MakeField, SmoothsAnyField) {
   EXPECT_FALSE(make_field(plain).versions.contains("bilateral"));
 }
 
-TEST(MakeField, SecondsIncludeAllSteps) {
+TEST(MakeField, RunTimeIncludesAllSteps) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   EXPECT_GT(compute(make_field(settings_of("centricity")), shape).query_seconds, 0) << "of a field that tells none";
   field_types().add({.name = "test_seconds",
@@ -201,7 +201,7 @@ TEST(MakeField, CountsMissingValues) {
   EXPECT_EQ(compute(make_field(settings_of("cone_sdf")), shape).outcomes.at("missing"), 1U);
 }
 
-TEST(MakeField, TheAutomaticOffsetIsReported) {
+TEST(MakeField, ReportsTheAutomaticOffset) {
   const Field field = make_field(settings_of("offset_sdf", {{"offset", "auto"}}));
   EXPECT_EQ(field.versions,
             (AlgorithmVersions{{"offset_sdf", offset_sdf_version}, {"automatic_offset", automatic_offset_version}}));
@@ -212,11 +212,11 @@ TEST(MakeField, TheAutomaticOffsetIsReported) {
   EXPECT_EQ(computed.values, offset_sdf(shape, take_samples(shape, {}), options).values);
 }
 
-TEST(MakeField, RequiresMandatorySettings) {
+TEST(MakeField, RejectsMissingMandatorySettings) {
   EXPECT_THAT(test::input_error_of([] { make_field(settings_of("offset_sdf")); }), HasSubstr("offset is missing"));
 }
 
-TEST(MakeField, HasADimension) {
+TEST(MakeField, StatesTheDimensionOfValues) {
   const auto dimension = [](const FieldSettings& settings) { return make_field(settings).dimension; };
   EXPECT_EQ(dimension(settings_of("offset_sdf", {{"offset", 0.05}})), FieldDimension::length);
   EXPECT_EQ(dimension(settings_of("cone_sdf")), FieldDimension::length);
@@ -250,7 +250,7 @@ Eigen::VectorXd zero_if_missing(const Eigen::VectorXd& values) {
   return values.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; });
 }
 
-TEST(MakeField, ValuesScaleByTheirDimension) {
+TEST(MakeField, ValuesScaleWithThePowerOfTheirDimension) {
   for (const FieldSettings& settings : settings_of_all_types()) {
     const Shape shape = boxes_for(settings);
     const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
@@ -283,7 +283,7 @@ TEST(MakeField, ValuesAreTheSameOnAnyNumberOfThreads) {
   expect_same(settings_of("heat_kernel", {{"on", "proxy"}, {"eigenvalues", 20}}, vertex_plan), cloud);
 }
 
-TEST(FieldTypes, HaveEachSettingOnce) {
+TEST(FieldTypes, HaveUniqueSettingNames) {
   for (const FieldType& type : field_types().entries()) {
     std::set<std::string> names;
     for (const Parameter& parameter : type.parameters) {
@@ -292,7 +292,7 @@ TEST(FieldTypes, HaveEachSettingOnce) {
   }
 }
 
-TEST(FieldTypes, RejectInvalidNames) {
+TEST(FieldTypes, RejectDuplicateAndEmptyNamesAndMissingFunctions) {
   const auto make = field_types().at("offset_sdf").make;
   EXPECT_THROW(field_types().add({"offset_sdf", "", {}, make}), ArgumentError);
   EXPECT_THROW(field_types().add({"", "", {}, make}), ArgumentError);
@@ -300,7 +300,7 @@ TEST(FieldTypes, RejectInvalidNames) {
   EXPECT_THROW(field_types().add({"test_at", "", {{.name = "at", .description = "Where."}}, make}), ArgumentError);
 }
 
-TEST(FieldTypes, NeedAValueForEachSample) {
+TEST(FieldTypes, AreRejectedUnlessTheyReturnOneValuePerSample) {
   field_types().add({.name = "test_one_value",
                      .description = "A single value.",
                      .parameters = {},
@@ -314,7 +314,7 @@ TEST(FieldTypes, NeedAValueForEachSample) {
   EXPECT_THROW(compute(field, test::sphere(1, 1)), std::logic_error);
 }
 
-TEST(FieldTypes, RejectUnknownTypes) {
+TEST(FieldTypes, SuggestTheNearestNameForUnknownTypes) {
   EXPECT_THAT(test::input_error_of([] { field_settings("offset_sfd"); }), HasSubstr("did you mean \"offset_sdf\"?"));
 }
 

@@ -37,14 +37,14 @@ TEST(Geodesics, GraphPathsOnASphereAreAtMostAFewPercentTooLong) {
   EXPECT_EQ(found[7], 0);
 }
 
-TEST(Geodesics, DistanceAlongTheDiagonalsOfAGridIsExact) {
+TEST(Geodesics, DistanceAcrossTheDiagonalsOfAGridIsExact) {
   const int n = 20;
   // Between the two corners without a diagonal, paths along edges are too long by a factor of sqrt 2.
   const Eigen::VectorXd found = geodesic_distances(test::rectangle(1, 1, n, n))(n);
   EXPECT_NEAR(found[n * (n + 1)], std::sqrt(2.0), 1e-9);
 }
 
-TEST(Geodesics, PathsPassTheEndOfAnEdgeIfTheLineMissesIt) {
+TEST(Geodesics, PathBendsAtAVertexIfTheStraightLineMissesTheEdge) {
   // The straight line between the corners opposite the edge passes beyond its upper end, or its lower one.
   for (const double sign : {1.0, -1.0}) {
     Shape kite{.vertices = Points{{0, -0.5, 0}, {0, 0.5, 0}, {-1, 1.5, 0}, {1, 2.5, 0}}, .triangles = {}};
@@ -54,14 +54,14 @@ TEST(Geodesics, PathsPassTheEndOfAnEdgeIfTheLineMissesIt) {
   }
 }
 
-TEST(Geodesics, HeatAndExactAgreeWithTheSphere) {
+TEST(Geodesics, HeatAndExactMethodsMatchGreatCirclesOnASphere) {
   const Shape shape = sphere(1, 3);
   const Eigen::VectorXd exact = great_circles(shape, 3);
   EXPECT_LT((geodesic_distances(shape, by(GeodesicMethod::exact))(3) - exact).cwiseAbs().maxCoeff(), 0.02);
   EXPECT_LT((geodesic_distances(shape, by(GeodesicMethod::heat))(3) - exact).cwiseAbs().maxCoeff(), 0.1);
 }
 
-TEST(Geodesics, GraphIsNeverShorterThanExact) {
+TEST(Geodesics, GraphDistancesAreNeverShorterThanExactDistances) {
   const Shape shape = box({1, 2, 0.5}, 6);
   const Eigen::VectorXd exact = geodesic_distances(shape, by(GeodesicMethod::exact))(0);
   const Eigen::VectorXd graph = geodesic_distances(shape)(0);
@@ -69,7 +69,7 @@ TEST(Geodesics, GraphIsNeverShorterThanExact) {
   EXPECT_LT((graph - exact).maxCoeff(), 0.08 * exact.maxCoeff());
 }
 
-TEST(Geodesics, WeldSoups) {
+TEST(Geodesics, DistancesOnATriangleSoupMatchItsWeldedMesh) {
   const Shape shape = sphere(1, 2);
   const Shape pieces = soup(shape);
   for (const GeodesicMethod method : {GeodesicMethod::graph, GeodesicMethod::heat, GeodesicMethod::exact}) {
@@ -81,7 +81,7 @@ TEST(Geodesics, WeldSoups) {
   }
 }
 
-TEST(Geodesics, ScaleAndPermuteWithTheShape) {
+TEST(Geodesics, DistancesScaleAndPermuteWithTheShape) {
   const Shape shape = box({1, 2, 0.5}, 4);
   const auto [other, vertices, triangles] = permuted(shape, 1);
   const Shape larger = transformed(other, 3, test::rotation(2), {1, 2, 3});
@@ -92,13 +92,13 @@ TEST(Geodesics, ScaleAndPermuteWithTheShape) {
   }
 }
 
-TEST(Geodesics, CloudsUsePathsBetweenNeighbours) {
+TEST(Geodesics, DistancesInACloudFollowNeighbouringPoints) {
   const Shape shape = sphere(1, 4);
   const Eigen::VectorXd found = geodesic_distances(cloud_of(shape))(0);
   EXPECT_LT((found - great_circles(shape, 0)).cwiseAbs().maxCoeff(), 0.06 * std::numbers::pi);
 }
 
-TEST(Geodesics, JoinComponentsAtTheirNearestPoints) {
+TEST(Geodesics, PathsJoinComponentsAtTheirNearestPoints) {
   const Shape ball = sphere(1, 3);
   const Shape far = transformed(ball, 1, Eigen::Matrix3d::Identity(), {10, 0, 0});
   const Shape pair = joined({ball, far});
@@ -111,7 +111,7 @@ TEST(Geodesics, JoinComponentsAtTheirNearestPoints) {
   EXPECT_NEAR(distance, 2 * std::numbers::pi + 8, 0.8);
 }
 
-TEST(Geodesics, AreFiniteAcrossAThousandComponents) {
+TEST(Geodesics, DistancesAreFiniteAcrossAThousandComponents) {
   std::vector<Shape> pieces;
   for (int i = 0; i < 1000; ++i) {
     pieces.push_back(transformed(box({1, 1, 1}, 1), 0.1, test::rotation(static_cast<unsigned>(i)),
@@ -122,7 +122,7 @@ TEST(Geodesics, AreFiniteAcrossAThousandComponents) {
   EXPECT_GT(distances.maxCoeff(), 9 * std::sqrt(3.0));
 }
 
-TEST(Geodesics, UnusedVerticesHaveNoDistance) {
+TEST(Geodesics, DistanceOfAnUnusedVertexIsMissing) {
   Shape shape = sphere(1, 1);
   shape.vertices.conservativeResize(shape.vertices.rows() + 1, 3);
   shape.vertices.bottomRows<1>() << 5, 5, 5;
@@ -131,7 +131,7 @@ TEST(Geodesics, UnusedVerticesHaveNoDistance) {
   EXPECT_TRUE(distances.head(distances.size() - 1).allFinite());
 }
 
-TEST(Geodesics, HeatAndExactRejectNonManifoldShapes) {
+TEST(Geodesics, HeatAndExactMethodsRejectNonManifoldShapes) {
   const Shape two = joined({sphere(1, 1), transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
   Shape fin = sphere(1, 1);  // with a third triangle on an edge
   fin.vertices.conservativeResize(fin.vertices.rows() + 1, 3);

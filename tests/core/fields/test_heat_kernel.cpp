@@ -16,7 +16,7 @@ using test::sphere;
 
 Spectrum spectrum_of(const Shape& shape, int count = 40) { return laplacian_spectrum(shape, count); }
 
-TEST(HeatKernel, MatchesTheSeriesOnASphere) {
+TEST(HeatKernel, SignatureOfASphereMatchesTheSeriesOfSphericalHarmonics) {
   const Shape shape = sphere(1, 4);
   const double area = surface_area(shape);
   const Spectrum spectrum = spectrum_of(shape, 49);
@@ -29,7 +29,7 @@ TEST(HeatKernel, MatchesTheSeriesOnASphere) {
   }
 }
 
-TEST(HeatKernel, MeanByAreaIsTheTrace) {
+TEST(HeatKernel, AreaWeightedSumIsTheHeatTrace) {
   const Shape shape = test::capsule(0.5, 2, 16, 24);
   const Laplacian laplacian = cotangent_laplacian(shape);
   const Spectrum spectrum = spectrum_of(shape);
@@ -41,7 +41,7 @@ TEST(HeatKernel, MeanByAreaIsTheTrace) {
   EXPECT_NEAR(mean, (-0.5 * spectrum.eigenvalues).array().exp().sum(), 1e-6);
 }
 
-TEST(HeatKernel, BecomesUniformAndIsLargestAtTips) {
+TEST(HeatKernel, SignatureBecomesUniformLateAndIsLargestAtTipsEarly) {
   const Shape shape = test::box({0.4, 0.4, 3}, 12);
   const Spectrum spectrum = spectrum_of(shape);
   const Eigen::VectorXd late = heat_kernel_signature(spectrum, surface_area(shape), 100);
@@ -68,7 +68,7 @@ TEST(HeatKernel, SignaturesDoNotChangeWithScaleAndMotion) {
             1e-5);
 }
 
-TEST(HeatKernel, ScaleInvariantSignatureDoesNotNeedTheArea) {
+TEST(HeatKernel, ScaleInvariantSignatureDoesNotDependOnTheArea) {
   const Shape shape = test::capsule(0.3, 2, 16, 30);
   const Spectrum spectrum = spectrum_of(shape, 60);
   const double area = surface_area(shape);
@@ -123,7 +123,7 @@ TEST(HeatKernel, ScaleInvariantSignatureIsTheMagnitudeOfAFourierTransform) {
   }
 }
 
-TEST(HeatKernel, MeanOfTheWaveKernelByAreaIsOne) {
+TEST(HeatKernel, AreaWeightedMeanOfTheWaveKernelSignatureIsOne) {
   const Shape shape = test::capsule(0.5, 2, 16, 24);
   const Laplacian laplacian = cotangent_laplacian(shape);
   const Eigen::MatrixXd found = wave_kernel_signature(spectrum_of(shape), laplacian.mass.sum());

@@ -51,13 +51,13 @@ TEST(InscribedBall, OfABoxHasItsThicknessOrTwiceTheDistanceToAnEdge) {
   }
 }
 
-TEST(InscribedBall, OfACapsuleIsItsDiameter) {
+TEST(InscribedBall, OfACapsuleHasItsDiameter) {
   const Eigen::VectorXd diameters = at_faces(test::capsule(1, 4, 64, 16), 60);
   EXPECT_NEAR(diameters.minCoeff(), 2, 0.09);  // a centroid is not in the middle of its strip
   EXPECT_LE(diameters.maxCoeff(), 2.002);
 }
 
-TEST(InscribedBall, OfAHollowBoxIsTheWall) {
+TEST(InscribedBall, OfAHollowBoxHasTheThicknessOfTheWall) {
   const Shape inner = test::box({3, 3, 3}, 10);
   const Shape shape = test::joined({test::box({4, 4, 4}, 10), test::flipped(inner)});
   const Samples samples = sample_shape(shape, SampleSite::faces);
@@ -72,7 +72,7 @@ TEST(InscribedBall, OfAHollowBoxIsTheWall) {
 }
 
 /// Whether every sample's ball is empty and touches a triangle.
-TEST(InscribedBall, IsEmptyAndCannotGrow) {
+TEST(InscribedBall, ContainsNoSurfacePointAndTouchesOne) {
   const Shape shape = test::torus(2, 0.7, 40, 24);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 0});
@@ -90,7 +90,7 @@ TEST(InscribedBall, IsEmptyAndCannotGrow) {
   }
 }
 
-TEST(InscribedBall, OfAWedgeIsTwiceTheRadiusOfTheTangentCircle) {
+TEST(InscribedBall, OfAWedgeHasTheDiameterOfTheTangentCircle) {
   for (const double degrees : {10.0, 30.0, 70.0}) {
     const double slope = std::tan(degrees / 180 * std::numbers::pi);
     Shape wedge = test::box({2, 6, 1}, 40);
@@ -108,7 +108,7 @@ TEST(InscribedBall, OfAWedgeIsTwiceTheRadiusOfTheTangentCircle) {
   }
 }
 
-TEST(InscribedBall, IsTheWidthOfAGapOutside) {
+TEST(InscribedBall, OutsideTheShapeHasTheWidthOfAGap) {
   const Shape lower = test::box({4, 4, 1}, 8);
   Shape upper = lower;
   upper.vertices.col(2).array() += 1.25;
@@ -125,7 +125,7 @@ TEST(InscribedBall, IsTheWidthOfAGapOutside) {
   }
 }
 
-TEST(InscribedBall, ToleratesNoise) {
+TEST(InscribedBall, HardlyShrinksUnderNoise) {
   Shape block = test::box({30, 20, 3}, 30);
   RandomNumbers random(1);
   for (double& coordinate : block.vertices.reshaped()) coordinate += random.uniform(-0.005, 0.005);
@@ -163,12 +163,12 @@ TEST(InscribedBall, IgnoresVerticesWithoutTriangles) {
   EXPECT_EQ(at_faces(shape), expected);
 }
 
-TEST(InscribedBall, IsMissingWithoutAContact) {
+TEST(InscribedBall, IsMissingIfItTouchesNoOppositeSurface) {
   const Shape sheet{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = Triangles{{0, 1, 2}}};
   EXPECT_TRUE(std::isnan(at_faces(sheet)[0]));
 }
 
-TEST(InscribedBall, OfPointsWithNormals) {
+TEST(InscribedBall, OfASphereCloudHasItsDiameterAndNeedsNormals) {
   Shape cloud = test::random_points(test::sphere(1, 4), 4000, 5);
   EXPECT_THROW(inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices)), InputError);
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
@@ -178,7 +178,7 @@ TEST(InscribedBall, OfPointsWithNormals) {
   EXPECT_NEAR(diameters.mean(), 2, 0.05);
 }
 
-TEST(InscribedBall, IsAField) {
+TEST(InscribedBall, IsAvailableAsAField) {
   const Shape shape = test::sphere(2, 3);
   FieldSettings settings = field_settings("inscribed_ball");
   settings.values.set("separation_angle_degrees", 30.0);

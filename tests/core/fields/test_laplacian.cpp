@@ -12,7 +12,7 @@ namespace {
 
 using test::sphere;
 
-TEST(Laplacian, HasConstantsInItsKernelAndTheAreaAsItsMass) {
+TEST(Laplacian, AnnihilatesConstantsAndHasTheSurfaceAreaAsMass) {
   const Shape shape = test::torus(2, 0.5, 12, 30);
   const Laplacian laplacian = cotangent_laplacian(shape);
   EXPECT_LT((laplacian.stiffness * Eigen::VectorXd::Ones(laplacian.mass.size())).cwiseAbs().maxCoeff(), 1e-12);
@@ -40,7 +40,7 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereMatchSphericalHarmonics) {
   }
 }
 
-TEST(Laplacian, KeepsMultipleEigenvalues) {
+TEST(Laplacian, SpectrumContainsMultipleEigenvaluesForAnyCount) {
   // 17 to 24 eigenvalues end among the nine copies of 20, which the mesh divides into four and five.
   for (const int count : {17, 18, 19, 20, 21, 22, 23, 24, 100}) {
     const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), count);
@@ -60,7 +60,7 @@ TEST(Laplacian, EigenvaluesOfARectangleMatchCosines) {
   }
 }
 
-TEST(Laplacian, EigenvectorsAreOrthonormalByAreaAndSolveTheProblem) {
+TEST(Laplacian, EigenvectorsSolveTheProblemAndAreOrthonormalByArea) {
   const Shape shape = test::capsule(0.5, 2, 16, 24);
   const Laplacian laplacian = cotangent_laplacian(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 12);
@@ -75,7 +75,7 @@ TEST(Laplacian, EigenvectorsAreOrthonormalByAreaAndSolveTheProblem) {
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(Laplacian, SpectrumDoesNotChangeWithMotionOrderOrSoup) {
+TEST(Laplacian, SpectrumDoesNotChangeWithMotionVertexOrderOrSplitVertices) {
   const Shape shape = test::capsule(0.5, 2, 16, 24);
   const Eigen::VectorXd expected = laplacian_spectrum(shape, 10).eigenvalues;
   const Shape moved = test::transformed(test::permuted(shape, 1).shape, 2, test::rotation(4), {3, 2, 1});
@@ -83,7 +83,7 @@ TEST(Laplacian, SpectrumDoesNotChangeWithMotionOrderOrSoup) {
   EXPECT_LT((laplacian_spectrum(test::soup(shape), 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(Laplacian, HasOneZeroEigenvaluePerComponent) {
+TEST(Laplacian, HasOneZeroEigenvaluePerConnectedComponent) {
   const Shape ball = sphere(1, 2);
   const Shape pair = test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {4, 0, 0})});
   const Spectrum spectrum = laplacian_spectrum(pair, 8);
@@ -109,7 +109,7 @@ TEST(Laplacian, IgnoresDegenerateTrianglesAndUnusedVertices) {
   EXPECT_TRUE(spectrum.eigenvectors.row(unused).array().isNaN().all());
 }
 
-TEST(Laplacian, SpectrumAddsOneZeroPerComponent) {
+TEST(Laplacian, ReturnsAdditionalZeroEigenvaluesForFurtherComponents) {
   std::vector<Shape> spheres;
   for (int i = 0; i < 4; ++i) {
     spheres.push_back(test::transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3.0 * i, 0, 0}));
@@ -122,7 +122,7 @@ TEST(Laplacian, SpectrumAddsOneZeroPerComponent) {
   EXPECT_LT((eigenvalues.tail(4).array() - first).abs().maxCoeff(), 1e-6);
 }
 
-TEST(Laplacian, RefusesThousandsOfComponents) {
+TEST(Laplacian, SpectrumRefusesThousandsOfComponents) {
   const Shape scales = test::soup(sphere(1, 4));
   Shape apart = scales;
   for (Eigen::Index v = 0; v < apart.vertices.rows(); v += 3) {

@@ -14,7 +14,7 @@ namespace {
 
 Samples some_samples(const Shape& shape) { return sample_surface(shape, 60); }
 
-/// The definition of at_samples() taken literally: of the seven nearest points, by distance and normals.
+/// The definition of interpolate_to_samples() taken literally: of the seven nearest points, by distance and normals.
 double interpolated(const SurfaceProxy& proxy, const Eigen::RowVector3d& place, const Eigen::RowVector3d& normal,
                     const Eigen::VectorXd& values) {
   std::vector<std::pair<double, Eigen::Index>> nearest;
@@ -32,35 +32,37 @@ double interpolated(const SurfaceProxy& proxy, const Eigen::RowVector3d& place, 
   return sum / weights;
 }
 
-TEST(ProxySource, InterpolatesByDistanceAndNormals) {
+TEST(ProxySource, InterpolationWeightsFollowDistanceAndNormals) {
   const Shape torus = test::torus(1, 0.4, 30, 16);
   ProxySource source(torus);
   const SurfaceProxy& proxy = source.proxy();
   const Samples samples = some_samples(torus);
   const Eigen::VectorXd values = proxy.points.col(0).array().sin() + 2 * proxy.points.col(2).array();
-  const Eigen::VectorXd found = source.at_samples(samples, values);
+  const Eigen::VectorXd found = source.interpolate_to_samples(samples, values);
   ASSERT_EQ(found.size(), samples.points.rows());
   for (Eigen::Index i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], interpolated(proxy, samples.points.row(i), samples.normals.row(i), values), 1e-4) << i;
   }
 }
 
-TEST(ProxySource, InterpolationKeepsConstantsAndBounds) {
+TEST(ProxySource, InterpolationPreservesConstantsAndBoundsOfValues) {
   const Shape box = test::box({3, 2, 1}, 6);
   ProxySource source(box);
   const Eigen::Index count = source.proxy().points.rows();
   const Samples samples = some_samples(box);
-  EXPECT_LT((source.at_samples(samples, Eigen::VectorXd::Constant(count, 7.5)).array() - 7.5).abs().maxCoeff(), 1e-12);
+  EXPECT_LT(
+      (source.interpolate_to_samples(samples, Eigen::VectorXd::Constant(count, 7.5)).array() - 7.5).abs().maxCoeff(),
+      1e-12);
   // A step between two sides: next to their edge the points of the other side hardly count.
   Eigen::VectorXd step(count);
   for (Eigen::Index i = 0; i < count; ++i) step[i] = std::abs(source.proxy().normals(i, 2)) > 0.9 ? 1 : 0;
-  const Eigen::VectorXd found = source.at_samples(samples, step);
+  const Eigen::VectorXd found = source.interpolate_to_samples(samples, step);
   for (Eigen::Index i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], std::abs(samples.normals(i, 2)), 0.01) << samples.points.row(i);
   }
 }
 
-TEST(ProxySource, WeighsTheNearestProxyPointMost) {
+TEST(ProxySource, InterpolationGivesTheNearestProxyPointTheLargestWeight) {
   const Shape sphere = test::sphere(1, 4);
   ProxySource source(sphere);
   const SurfaceProxy& proxy = source.proxy();
@@ -68,13 +70,14 @@ TEST(ProxySource, WeighsTheNearestProxyPointMost) {
   at_points.points = proxy.points.topRows(50);
   at_points.normals = proxy.normals.topRows(50);
   for (Eigen::Index i = 0; i < 50; ++i) {
-    const Eigen::VectorXd found = source.at_samples(at_points, Eigen::VectorXd::Unit(proxy.points.rows(), i));
+    const Eigen::VectorXd found =
+        source.interpolate_to_samples(at_points, Eigen::VectorXd::Unit(proxy.points.rows(), i));
     EXPECT_GT(found[i], 0.5);
     EXPECT_LE(found[i], 1);
   }
 }
 
-TEST(ProxySource, SpectrumDoesNotDependOnTheOrderOfRequests) {
+TEST(ProxySource, SpectrumDoesNotDependOnWhichCountOfEigenvaluesIsRequestedFirst) {
   const Shape cloud = test::random_points(test::sphere(1, 3), 400, 1);
   ProxySource few_first(cloud);
   ProxySource many_first(cloud);

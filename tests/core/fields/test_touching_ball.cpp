@@ -34,7 +34,7 @@ double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
   return least;
 }
 
-TEST(TouchingBall, MatchesTheMinimumOverSampledPoints) {
+TEST(TouchingBall, RadiusIsTheMinimumOverPointsOfTheTriangle) {
   RandomNumbers random(7);
   const auto vector = [&] {
     return Eigen::Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -56,7 +56,7 @@ TEST(TouchingBall, MatchesTheMinimumOverSampledPoints) {
   EXPECT_GT(stopped, 30);
 }
 
-TEST(TouchingBall, PlaneSideAndCorner) {
+TEST(TouchingBall, TouchesThePlaneSideOrCornerOfATriangle) {
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const Triangle lid{{-5, -5, 2}, {5, -5, 2}, {0, 5, 2}};
   EXPECT_DOUBLE_EQ(radius_of(lid, up), 1);
@@ -72,7 +72,7 @@ TEST(TouchingBall, PlaneSideAndCorner) {
   EXPECT_EQ(radius_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up), infinity);
 }
 
-TEST(TouchingBall, IsStoppedByOppositePointsOnly) {
+TEST(TouchingBall, RadiusIsLimitedByOppositePointsOnly) {
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const OppositePoints opposite{
       .direction = up, .cone_cosine = std::cos(std::numbers::pi / 4), .min_cosine = 0.1, .rounding = 1e-9};

@@ -44,7 +44,7 @@ TEST(MappedFile, KeepsTheBytesOfAReplacedOrRemovedFile) {
   EXPECT_EQ(mapped.bytes, bytes);
 }
 
-TEST(MappedFile, FailsWithTheErrorsOfReading) {
+TEST(MappedFile, ReportsTheSameErrorsAsReading) {
   const TemporaryFolder folder;
   for (const auto& path : {folder.path(), folder.path() / "absent", folder.file("empty", "")}) {
     EXPECT_THAT([&] { map_file(path); }, ThrowsMessage<InputError>(StartsWith("cannot read " + path.string())));
@@ -53,7 +53,7 @@ TEST(MappedFile, FailsWithTheErrorsOfReading) {
 
 using AtomicFileTest = test::FolderTest;
 
-TEST_F(AtomicFileTest, WritesExactlyTheBytes) {
+TEST_F(AtomicFileTest, WritesExactlyTheGivenBytes) {
   const std::string bytes("a\0b\r\n", 5);
   write_file_atomically(at("out"), bytes);
   EXPECT_EQ(bytes_of(at("out")), bytes);
@@ -67,7 +67,7 @@ TEST_F(AtomicFileTest, ReplacesAnEarlierFile) {
   EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST_F(AtomicFileTest, HasThePermissionsOfTheUmask) {
+TEST_F(AtomicFileTest, NewFileHasThePermissionsOfTheUmask) {
   const mode_t before = ::umask(027);
   write_file_atomically(at("out"), "x");
   ::umask(before);
@@ -76,7 +76,7 @@ TEST_F(AtomicFileTest, HasThePermissionsOfTheUmask) {
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
-TEST_F(AtomicFileTest, ReplacementKeepsThePermissions) {
+TEST_F(AtomicFileTest, ReplacementKeepsThePermissionsOfTheEarlierFile) {
   for (const auto mode : {0600, 0640, 0666, 0444}) {
     const fs::path path = folder_.file(fmt::format("{:o}", mode), "old");
     fs::permissions(path, fs::perms(mode));
@@ -86,7 +86,7 @@ TEST_F(AtomicFileTest, ReplacementKeepsThePermissions) {
   }
 }
 
-TEST_F(AtomicFileTest, DoesNotReplaceAFileThatMustBeNew) {
+TEST_F(AtomicFileTest, DoesNotReplaceAnExistingFileIfItMustBeNew) {
   const fs::path path = at("result");
   expect_new_file(path, true);
   const fs::path other = folder_.file("result", "of another program");
@@ -95,7 +95,7 @@ TEST_F(AtomicFileTest, DoesNotReplaceAFileThatMustBeNew) {
   EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST_F(AtomicFileTest, ReplacesItsOwnNewFile) {
+TEST_F(AtomicFileTest, ReplacesAFileCreatedByTheSameProcess) {
   const fs::path path = at("result");
   expect_new_file(path, true);
   write_file_atomically(path, "first");
@@ -124,7 +124,7 @@ TEST_F(AtomicFileTest, RefusesPathsThatCannotBeWritten) {
   }
 }
 
-TEST_F(AtomicFileTest, FolderWithoutPermissionIsAnError) {
+TEST_F(AtomicFileTest, RejectsAFolderWithoutWritePermission) {
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0555));
   const auto path = at("out");
   {
@@ -156,7 +156,7 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-TEST_F(AtomicFileTest, AFailedWriteKeepsTheEarlierFileOnly) {
+TEST_F(AtomicFileTest, FailedWriteKeepsTheEarlierFileAndLeavesNoTemporaryFile) {
   const auto path = folder_.file("out", "old");
   {
     const FileSizeLimit limit(1000);
@@ -167,7 +167,7 @@ TEST_F(AtomicFileTest, AFailedWriteKeepsTheEarlierFileOnly) {
   EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST_F(AtomicFileTest, ConcurrentWritersDoNotMix) {
+TEST_F(AtomicFileTest, ConcurrentWritersDoNotMixTheirBytes) {
   const auto path = at("out");
   std::vector<std::jthread> threads;
   for (const char letter : {'a', 'b', 'c', 'd'}) {

@@ -46,7 +46,7 @@ std::string with_change(std::string text, const std::string& from, const std::st
   return text.replace(place, from.size(), to);
 }
 
-class Gltf : public test::FolderTest {
+class GltfReader : public test::FolderTest {
  protected:
   void SetUp() override { test::write_text(at("tetrahedron.bin"), tetrahedron_bytes()); }
 
@@ -70,7 +70,7 @@ double volume_of(const Shape& shape) {
   return six / 6;
 }
 
-TEST_F(Gltf, ReadsABufferInAnotherFile) {
+TEST_F(GltfReader, ReadsABufferInAnotherFile) {
   const Shape shape = read(document(R"({"mesh": 0})"));
   ASSERT_EQ(shape.vertices.rows(), 4);
   ASSERT_EQ(shape.triangles.rows(), 4);
@@ -80,7 +80,7 @@ TEST_F(Gltf, ReadsABufferInAnotherFile) {
   EXPECT_THAT(gltf_format().neighbours(read_shape_source(at("shape.gltf"))), testing::ElementsAre("tetrahedron.bin"));
 }
 
-TEST_F(Gltf, AppliesNodeTransforms) {
+TEST_F(GltfReader, AppliesNodeTransforms) {
   // Scaled by 2 along x, rotated by 90 degrees about z, then translated by the parent.
   const Shape shape = read(document(R"({"children": [1, 2], "translation": [10, 0, 0]},
       {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [2, 1, 1]},
@@ -91,11 +91,11 @@ TEST_F(Gltf, AppliesNodeTransforms) {
   EXPECT_EQ(shape.triangles.row(5), (Eigen::RowVector3i(4, 5, 7)));
 }
 
-TEST_F(Gltf, ReversesTrianglesOfMirroredNodes) {
+TEST_F(GltfReader, ReversesTrianglesOfMirroredNodes) {
   EXPECT_DOUBLE_EQ(volume_of(read(document(R"({"mesh": 0, "scale": [-3, 1, 1]})"))), 0.5);
 }
 
-TEST_F(Gltf, ReadsBinaryFilesAndDataUris) {
+TEST_F(GltfReader, ReadsBinaryFilesAndDataUris) {
   std::string json = document(R"({"mesh": 0})", "");
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::string data = tetrahedron_bytes();
@@ -113,7 +113,7 @@ TEST_F(Gltf, ReadsBinaryFilesAndDataUris) {
   EXPECT_DOUBLE_EQ(volume_of(read(document(R"({"mesh": 0})", "\"uri\": \"" + uri + "\", "))), 1.0 / 6);
 }
 
-TEST_F(Gltf, ReadsStripsFansAndPoints) {
+TEST_F(GltfReader, ReadsStripsFansAndPoints) {
   const std::string nodes = R"({"mesh": 0})";
   const auto with_mode = [&](int mode) {
     return read(with_change(document(nodes), R"("indices": 1)", fmt::format(R"("mode": {})", mode)));
@@ -128,7 +128,7 @@ TEST_F(Gltf, ReadsStripsFansAndPoints) {
   EXPECT_EQ(cloud.vertices.rows(), 4);
 }
 
-TEST_F(Gltf, ReadsNormalisedIntegers) {
+TEST_F(GltfReader, ReadsNormalisedIntegers) {
   // The tetrahedron in bytes, of which 127 is 1; -127 and -128 are both -1.
   test::write_text(at("tetrahedron.bin"), bytes_of<std::int8_t>({0, 0, 0, 127, 0, -128, 0, 127, -127, 0, 0, 127}) +
                                               std::string(36, '\0') +
@@ -141,7 +141,7 @@ TEST_F(Gltf, ReadsNormalisedIntegers) {
   EXPECT_EQ(shape.vertices.row(3), Eigen::RowVector3d(0, 0, 1));
 }
 
-TEST_F(Gltf, SparseAccessorsReplacePositions) {
+TEST_F(GltfReader, ReplacesPositionsBySparseAccessors) {
   // Vertex 2 moves to (7, 8, 9): an index and a position behind the tetrahedron.
   test::write_text(at("tetrahedron.bin"),
                    tetrahedron_bytes() + bytes_of<std::uint32_t>({2}) + bytes_of<float>({7, 8, 9}));
@@ -162,7 +162,7 @@ TEST_F(Gltf, SparseAccessorsReplacePositions) {
   EXPECT_EQ(zeros.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
 }
 
-TEST_F(Gltf, RejectsInconsistentFiles) {
+TEST_F(GltfReader, RejectsCountsAndIndicesThatContradictEachOther) {
   const std::string whole = document(R"({"mesh": 0})");
   EXPECT_THAT(error_of(with_change(whole, R"("count": 4)", R"("count": 5)")), HasSubstr("buffer view 0"));
   EXPECT_THAT(error_of(with_change(whole, R"("byteLength": 24)", R"("byteLength": 2400)")), HasSubstr("buffer view 1"));
@@ -188,7 +188,7 @@ TEST_F(Gltf, RejectsInconsistentFiles) {
   EXPECT_THAT(error_of(whole), HasSubstr("vertex 4"));
 }
 
-TEST_F(Gltf, RefusesDeepNesting) {
+TEST_F(GltfReader, RejectsDeeplyNestedNodes) {
   const std::string deep(100'000, '[');
   EXPECT_THAT(error_of(document(R"({"mesh": 0, "extras": )" + deep + "}")), HasSubstr("nested"));
 }

@@ -40,7 +40,7 @@ void expect_as_cgal_reads(const std::filesystem::path& path) {
   test::expect_same(read_shape(path), read_by_cgal(path));
 }
 
-TEST(IndependentReader, ReadsTheSameInEveryFormat) {
+TEST(CgalReader, ReadsTheSameMeshFromEveryFormat) {
   const test::TemporaryFolder folder;
   const Shape shape = test::torus(3, 1, 20, 30);
   for (const auto& [name, bytes, optional] : test::encoded_in_every_format(shape)) {
@@ -48,17 +48,17 @@ TEST(IndependentReader, ReadsTheSameInEveryFormat) {
   }
 }
 
-TEST(IndependentReader, ReadsFilesOfTheLibrary) {
+TEST(CgalReader, ReadsTheFilesWrittenByTheLibrary) {
   const test::TemporaryFolder folder;
   const Shape shape = test::torus(3, 1, 20, 30);
   for (const std::string_view extension : written_shape_extensions()) {
     const auto path = folder.path() / ("torus" + std::string(extension));
-    shape_writer(path)(path, shape);
+    shape_writer(path)(path, shape, {});
     expect_as_cgal_reads(path);
   }
 }
 
-TEST(IndependentReader, ReadsTheSameFromRealMeshes) {
+TEST(CgalReader, ReadsTheSameMeshesFromBenchmarkFiles) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
   for (const int i : {0, 100, 200, 300, 400, 599}) {

@@ -18,69 +18,69 @@ const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 void expect_obj_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
 
-TEST(ReadObj, Plain) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
+TEST(ReadObj, AcceptsAPlainFile) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
 
-TEST(ReadObj, KeywordsInCapitals) {
+TEST(ReadObj, AcceptsKeywordsInCapitals) {
   expect_obj_tetrahedron("V 0 0 0\nV 1 0 0\nV 0 1 \\\n0\nV 0 0 1\nVN 0 0 1\nF 1 3 \\\n2\nF 1 2 4\nF 1 4 3\nF 2 3 4\n");
   const std::string cloud = "V 0 0 0\nVN 0 0 1\n";
   EXPECT_EQ(read_obj(cloud, "t.obj").normals.rows(), 1);
   EXPECT_TRUE(is_recognised_shape({.bytes = cloud, .name = "standard input"}));
 }
 
-TEST(ReadObj, TextureAndNormals) {
+TEST(ReadObj, AcceptsTextureAndNormalIndices) {
   expect_obj_tetrahedron(obj_vertices +
                          "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1 2//1\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf 2 3 4\n");
 }
 
-TEST(ReadObj, NegativeIndicesCountFromTheLastVertex) {
+TEST(ReadObj, CountsNegativeIndicesFromTheLastVertex) {
   expect_obj_tetrahedron(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf -4 -3 -1\nf -4//-1 -1/-2/-1 -2/-1\nf 2 3 4\n");
 }
 
-TEST(ReadObj, FacesBeforeTheirVertices) {
+TEST(ReadObj, AcceptsFacesBeforeTheirVertices) {
   expect_obj_tetrahedron("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + obj_vertices);
 }
 
-TEST(ReadObj, IgnoresOtherStatements) {
+TEST(ReadObj, IgnoresStatementsOtherThanVerticesAndFaces) {
   expect_obj_tetrahedron(
       "mtllib a b.mtl\no v\ng f 1\ns off\nusemtl f\nvp 0.1\n" + obj_vertices +
       "l 1 2\np 1\nsurf 0 1 0 1 1 2 3 4\ncurv 0 1 1 2 3\nf 1 3 2\nf 1 2 4\n# f 1 1 1\nf 1 4 3 # f\n\n  f 2 3 4");
 }
 
-TEST(ReadObj, WeightsAndColoursAfterVertices) {
+TEST(ReadObj, IgnoresWeightsAndColoursAfterVertices) {
   expect_obj_tetrahedron(
       "v 0 0 0 1\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0 1 0 0 1\nv 0 0 1 # x\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
-TEST(ReadObj, ContinuedLines) {
+TEST(ReadObj, JoinsContinuedLines) {
   expect_obj_tetrahedron(
       "v 0 \\\n 0 0\nv 1 0 0 \\\r\n1\nv 0 1 0\nv 0 0 1\nf 1 3 \\\n\\\n2\nf 1 2 4\nf 1 4 3\ng a \\\nf 1 1 1\nf 2 3 4");
 }
 
-TEST(ReadObj, ByteOrderMarkAndCarriageReturns) {
+TEST(ReadObj, AcceptsAByteOrderMarkAndCarriageReturns) {
   expect_obj_tetrahedron(
       "\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 1 4 3\r\nf 2 3 4\r\n");
 }
 
-TEST(ReadObj, PolygonsBecomeFansAndSmallerFacesVanish) {
+TEST(ReadObj, SplitsPolygonsIntoFansAndDropsFacesBelowThreeCorners) {
   const Shape shape = read_obj(obj_vertices + "f 4 3 2 1\nf 1 2\nf 1\nf\n", "t.obj");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
 }
 
-TEST(ReadObj, WithoutFacesItIsAPointCloud) {
+TEST(ReadObj, FileWithoutFacesIsAPointCloud) {
   const Shape shape = read_obj(obj_vertices, "t.obj");
   EXPECT_EQ(shape.vertices, tetrahedron().vertices);
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
 
-TEST(ReadObj, UsesCloudNormalsIfTheirNumberMatches) {
+TEST(ReadObj, UsesNormalsOfACloudIfThereIsOnePerPoint) {
   const std::string normals = "vn 0 0 2\nvn 1 0 0\nvn 0 0 0\n";
   EXPECT_EQ(read_obj(obj_vertices + normals, "t.obj").normals.rows(), 0);
   const Shape shape = read_obj(normals + obj_vertices + "vn 0 -1 0\n", "t.obj");
   EXPECT_EQ(shape.normals, (Points(4, 3) << 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -1, 0).finished());
 }
 
-TEST(ReadObj, UnusableNormalsOfAMeshAreIgnored) {
+TEST(ReadObj, IgnoresInvalidNormalsOfAMesh) {
   EXPECT_EQ(read_obj(obj_vertices + "vn 0 nan 0\nvn 1\nf 1 2 3\n", "t.obj").triangles.rows(), 1);
 }
 
@@ -108,12 +108,12 @@ TEST(ReadObj, RefusesTextThatIsNotAMesh) {
                        [](const std::string& text) { read_obj(text, "t.obj"); });
 }
 
-TEST(ReadObj, ChecksTheHeaderAlone) {
+TEST(ReadObj, HeaderCheckRejectsTextWithoutVertices) {
   EXPECT_NO_THROW(obj_format().check_header("# v\no x\nv 0", "t.obj"));
   EXPECT_THROW(obj_format().check_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
 }
 
-TEST(WriteObj, Plain) {
+TEST(WriteObj, WritesVerticesAndFacesWithShortestNumbers) {
   const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = -1.5e-300;
@@ -123,7 +123,7 @@ TEST(WriteObj, Plain) {
             "v 0 0 0\nv -1.5e-300 0 0\nv 0 1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
-TEST(ReadObj, FormsOfFacesAndContinuations) {
+TEST(ReadObj, AcceptsEveryFormOfFacesAndContinuations) {
   const Triangles expected = read_obj(obj_vertices + "f 1 2 3 4\n", "t.obj").triangles;
   for (const std::string faces : {"fo 1 2 3 4\n", "f +1 +2 +3 4\n", "f 1 2\\\n 3 4\n", "f 1 2 \\ \n 3 4\n",
                                   "f 1/1 2/2\\\r\n3/3 4/4\r\n", "usemtl C:\\mats\\\nf 1 2 3 4\n"}) {

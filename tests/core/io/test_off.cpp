@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-TEST(ReadOff, FormsOfTheSameFile) {
+TEST(ReadOff, AcceptsEveryFormOfTheHeader) {
   const std::string body = off_vertices + off_faces;
   const std::string plain = "OFF\n4 4 6\n" + body;
   for (const std::string& text :
@@ -52,19 +52,19 @@ TEST(ReadOff, FormsOfTheSameFile) {
   }
 }
 
-TEST(ReadOff, CommentsAndBlankLinesAnywhere) {
+TEST(ReadOff, SkipsCommentsAndBlankLinesAnywhere) {
   expect_off_tetrahedron(
       "# before\n\nOFF# behind the keyword\n#\n4 4 6 # behind the counts\n\n  # indented\n0 0 0#glued\n1 0 0 # v 1\n\n"
       "0 1 0\n#between\n0 0 1\n\n# faces\n3 0 2 1 # f 0\n3 0 1 3\n\t\n3 0 3 2\n3 1 2 3 # the last line has no end");
   expect_off_tetrahedron("OFF\n4 4 6\n0 # x\n0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 # then\n2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
-TEST(ReadOff, Exponents) {
+TEST(ReadOff, AcceptsNumbersWithExponents) {
   const Shape shape = read_off("OFF\n2 0 0\n1e2 -1.5E-3 +2.5e+1\n.5 5. 1e-400\n", "t.off");
   EXPECT_EQ(shape.vertices, (Points(2, 3) << 100, -0.0015, 25, 0.5, 5, 0).finished());
 }
 
-TEST(ReadOff, ColoursNormalsAndTextureAfterVertices) {
+TEST(ReadOff, IgnoresColoursNormalsAndTextureAfterVertices) {
   const std::vector<std::string> extras = {" 255 0 0 255", " 0.1 0.2 0.3", " 0 0 1", " 0.5 0.5",
                                            " 0 0 1 255 0 0 255 0.5 0.5"};
   for (const std::string keyword : {"COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STCOFF", "STNOFF", "STCNOFF", "OFF"}) {
@@ -74,19 +74,19 @@ TEST(ReadOff, ColoursNormalsAndTextureAfterVertices) {
   }
 }
 
-TEST(ReadOff, ColoursAfterFaces) {
+TEST(ReadOff, IgnoresColoursAfterFaces) {
   for (const std::string colour : {" 7", " 255 0 0", " 0.1 0.2 0.3 1", " 3 255 0 0", " # red"}) {
     expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + replaced(off_faces, "\n", colour + "\n"));
   }
 }
 
-TEST(ReadOff, PolygonsBecomeFans) {
+TEST(ReadOff, SplitsPolygonsIntoFans) {
   const Shape shape =
       read_off("OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 2 0\n5 0 1 2 4 3 255 0 0\n4 3 2 1 0\n", "t.off");
   EXPECT_EQ(shape.triangles, (Triangles(5, 3) << 0, 1, 2, 0, 2, 4, 0, 4, 3, 3, 2, 1, 3, 1, 0).finished());
 }
 
-TEST(ReadOff, NonManifoldDegenerateAndDuplicateFacesAndUnusedVerticesSurvive) {
+TEST(ReadOff, KeepsNonManifoldDegenerateAndDuplicateFacesAndUnusedVertices) {
   const Shape shape = read_off(
       "OFF\n6 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n9 9 9\n"
       "3 0 1 2\n3 0 1 3\n3 0 1 4\n3 0 0 1\n3 2 2 2\n3 0 1 2\n3 2 1 0\n",
@@ -96,7 +96,7 @@ TEST(ReadOff, NonManifoldDegenerateAndDuplicateFacesAndUnusedVerticesSurvive) {
             (Triangles(7, 3) << 0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 0, 1, 2, 2, 2, 0, 1, 2, 2, 1, 0).finished());
 }
 
-TEST(ReadOff, WithoutFacesItIsAPointCloud) {
+TEST(ReadOff, FileWithoutFacesIsAPointCloud) {
   const Shape shape = read_off("OFF\n4 0 0\n" + off_vertices, "t.off");
   EXPECT_EQ(shape.vertices, tetrahedron().vertices);
   EXPECT_EQ(shape.triangles.rows(), 0);
@@ -113,9 +113,9 @@ TEST(ReadOff, ReadsCloudNormalsOfNoffFiles) {
   EXPECT_EQ(read_off("NOFF\n4 0 0\n" + off_vertices, "t.off").normals.rows(), 0);
 }
 
-TEST(ReadOff, Binary) { expect_same(read_off(test::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
+TEST(ReadOff, ReadsBinaryFiles) { expect_same(read_off(test::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
 
-TEST(ReadOff, BinaryWithExtras) {
+TEST(ReadOff, IgnoresColoursNormalsAndTextureOfBinaryFiles) {
   expect_same(read_off(test::as_binary_off(tetrahedron(), "COFF BINARY # a comment\r\n", 4), "t.off"), tetrahedron());
   expect_same(read_off(test::as_binary_off(tetrahedron(), "STCNOFF  BINARY\n", 9), "t.off"), tetrahedron());
 }
@@ -178,14 +178,14 @@ TEST(ReadOff, RefusesDamagedBinaryFiles) {
       [](const std::string& text) { read_off(text, "t.off"); });
 }
 
-TEST(ReadOff, ChecksTheHeaderAlone) {
+TEST(ReadOff, HeaderCheckRecognisesOnlyOffFiles) {
   EXPECT_NO_THROW(off_format().check_header("OFF\n4 4 6\n", "t.off"));
   EXPECT_NO_THROW(off_format().check_header("OFF BINARY\n", "t.off"));
   EXPECT_THROW(off_format().check_header("OFF\n", "t.off"), InputError);
   EXPECT_THROW(off_format().check_header("HELLO\n4 4 6\n", "t.off"), InputError);
 }
 
-TEST(WriteOff, IsPlainOff) {
+TEST(WriteOff, WritesPlainOff) {
   const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = 0.1;
@@ -195,7 +195,7 @@ TEST(WriteOff, IsPlainOff) {
             "OFF\n4 4 0\n0 0 0\n0.1 0 0\n0 1 0\n0 0 -1e-300\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
-TEST(WriteOff, CloudsHaveTheirNormals) {
+TEST(WriteOff, WritesTheNormalsOfClouds) {
   const test::TemporaryFolder folder;
   Shape cloud = test::small_cloud();
   write_off(folder.path() / "t.off", cloud);
@@ -206,7 +206,7 @@ TEST(WriteOff, CloudsHaveTheirNormals) {
   EXPECT_EQ(test::bytes_of(folder.path() / "t.off"), "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
 }
 
-TEST(ReadOff, RejectsExtraFacesAndIgnoresOtherTrailingData) {
+TEST(ReadOff, RejectsFacesBeyondTheirCountAndIgnoresOtherTrailingData) {
   const std::string counts_and_vertices = "OFF\n4 1 0\n" + off_vertices;
   EXPECT_THAT(test::input_error_of([&] { read_off(counts_and_vertices + "3 0 1 2\n3 0 2 3\n", "t.off"); }),
               ::testing::HasSubstr("t.off:7: another face"));

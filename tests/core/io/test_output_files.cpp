@@ -40,7 +40,7 @@ TEST_F(CheckedOutputFiles, AcceptNewFiles) {
   EXPECT_EQ(refusal({}), "");
 }
 
-TEST_F(CheckedOutputFiles, KeepFilesCreatedMeanwhile) {
+TEST_F(CheckedOutputFiles, DoNotOverwriteFilesCreatedAfterTheCheck) {
   for (const bool replace : {false, true}) {
     const fs::path path = at(replace ? "replaced" : "new");
     ASSERT_EQ(refusal({{.path = path, .what = "--output"}}, replace), "");
@@ -51,7 +51,7 @@ TEST_F(CheckedOutputFiles, KeepFilesCreatedMeanwhile) {
   }
 }
 
-TEST_F(CheckedOutputFiles, AnInputIsNeverOverwritten) {
+TEST_F(CheckedOutputFiles, AreRejectedIfTheyAreAnInputOtherThanTheOneTheyReplace) {
   for (const bool replace : {false, true}) {
     const std::string message = refusal({{.path = other_, .what = "--output"}}, replace);
     EXPECT_THAT(message, HasSubstr("--output would overwrite the input " + other_.string()));
@@ -59,7 +59,7 @@ TEST_F(CheckedOutputFiles, AnInputIsNeverOverwritten) {
   }
 }
 
-TEST_F(CheckedOutputFiles, AnInputIsRecognisedByAnyName) {
+TEST_F(CheckedOutputFiles, RecogniseAnInputUnderAnyName) {
   fs::create_directory(at("folder"));
   fs::create_symlink("in.off", at("link.off"));
   fs::create_symlink("link.off", at("link_of_link.off"));
@@ -73,13 +73,13 @@ TEST_F(CheckedOutputFiles, AnInputIsRecognisedByAnyName) {
   }
 }
 
-TEST_F(CheckedOutputFiles, OnlyWithReplaceMayAnInputBeReplaced) {
+TEST_F(CheckedOutputFiles, ReplaceTheirInputOnlyWithTheReplaceOption) {
   const OutputFile output{.path = in_, .what = "--output", .may_be_input = true};
   EXPECT_THAT(refusal({output}), HasSubstr("give it another name, or use `replace=true`"));
   EXPECT_EQ(refusal({output}, true), "");
 }
 
-TEST_F(CheckedOutputFiles, MustDiffer) {
+TEST_F(CheckedOutputFiles, MustHaveDifferentPaths) {
   fs::create_directory(at("folder"));
   fs::create_symlink("new.csv", at("link.csv"));  // whose file does not exist yet
   for (const char* name : {"new.csv", "./new.csv", "folder/../new.csv", "link.csv"}) {
@@ -90,7 +90,7 @@ TEST_F(CheckedOutputFiles, MustDiffer) {
   EXPECT_EQ(refusal({{.path = at("new.csv"), .what = "--table"}, {.path = at("newer.csv"), .what = "--plot"}}), "");
 }
 
-TEST_F(CheckedOutputFiles, ExistingFilesNeedReplace) {
+TEST_F(CheckedOutputFiles, ReplaceExistingFilesOnlyOnRequest) {
   const fs::path old = folder_.file("old.csv", "1\n");
   EXPECT_THAT(refusal({{.path = old, .what = "--output"}}), HasSubstr("old.csv exists; give another name"));
   EXPECT_EQ(refusal({{.path = old, .what = "--output"}}, true), "");
@@ -98,7 +98,7 @@ TEST_F(CheckedOutputFiles, ExistingFilesNeedReplace) {
   EXPECT_THAT(refusal({{.path = folder_.path(), .what = "--output"}}), HasSubstr("is a folder; name a file"));
 }
 
-TEST_F(CheckedOutputFiles, NeedTheExtensionOfTheirFormat) {
+TEST_F(CheckedOutputFiles, MustHaveTheExtensionOfTheirFormat) {
   const auto named = [&](const char* name) {
     return refusal({{.path = at(name), .what = "--output", .extensions = {".csv", ".npy"}}});
   };
@@ -106,7 +106,7 @@ TEST_F(CheckedOutputFiles, NeedTheExtensionOfTheirFormat) {
   for (const char* name : {"new.npy", "new.CSV", "new"}) EXPECT_EQ(named(name), "") << name;
 }
 
-TEST_F(CheckedOutputFiles, AStandardStreamIsUsedOnce) {
+TEST_F(CheckedOutputFiles, UseEachStandardStreamAtMostOnce) {
   const OutputFile stream{.path = "-", .what = "--output", .takes_stream = true};
   EXPECT_EQ(refusal({stream}), "");
   EXPECT_THAT(refusal({{.path = "-", .what = "--plot"}}), HasSubstr("--plot must be a file, not standard output"));
@@ -117,7 +117,7 @@ TEST_F(CheckedOutputFiles, AStandardStreamIsUsedOnce) {
   EXPECT_EQ(refusal({{.path = "/dev/null", .what = "--output"}, {.path = "/dev/null", .what = "--plot"}}), "");
 }
 
-TEST(IsPage, IgnoresCase) {
+TEST(IsPage, IgnoresTheCaseOfTheHtmlExtension) {
   for (const char* page : {"a.html", "b.HTM"}) EXPECT_TRUE(is_page(page)) << page;
   for (const char* other : {"a.css", "html"}) EXPECT_FALSE(is_page(other)) << other;
 }

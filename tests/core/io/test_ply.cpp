@@ -45,15 +45,15 @@ std::string replaced_once(std::string text, const std::string& what, const std::
   return text.replace(text.find(what), what.size(), with);
 }
 
-TEST(ReadPly, Ascii) {
+TEST(ReadPly, ReadsAsciiFiles) {
   expect_same(read_ply(ascii(vertex_header + face_header, ply_vertices + ply_faces), "t.ply"), tetrahedron());
 }
 
-TEST(ReadPly, IgnoresOtherPropertiesAndElements) {
+TEST(ReadPly, IgnoresUnknownPropertiesAndElements) {
   expect_same(read_ply(as_ascii_ply(tetrahedron()), "t.ply"), tetrahedron());
 }
 
-TEST(ReadPly, BinaryOfEitherByteOrderAndPrecision) {
+TEST(ReadPly, ReadsBinaryFilesOfEitherByteOrderAndPrecision) {
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = 1.0 + 1e-15;
   for (const std::endian order : both_orders) {
@@ -62,7 +62,7 @@ TEST(ReadPly, BinaryOfEitherByteOrderAndPrecision) {
   }
 }
 
-TEST(ReadPly, BinaryBodyMayBeginWithALineFeed) {
+TEST(ReadPly, AcceptsABinaryBodyThatBeginsWithALineFeed) {
   // 2.0f with a last byte of 0x0A or 0x0D is the body's first byte in little-endian order.
   for (const std::string line_end : {"\n", "\r", "\r\n"}) {
     for (const char first : {'\n', '\r'}) {
@@ -82,7 +82,7 @@ TEST(ReadPly, BinaryBodyMayBeginWithALineFeed) {
   }
 }
 
-TEST(ReadPly, OtherPropertiesMayBeNan) {
+TEST(ReadPly, AcceptsNanInUnusedProperties) {
   const Shape shape =
       read_ply(ascii("element vertex 1\nproperty float quality\nproperty float x\nproperty float y\nproperty "
                      "float z\n",
@@ -91,23 +91,23 @@ TEST(ReadPly, OtherPropertiesMayBeNan) {
   EXPECT_EQ(shape.vertices, (Points(1, 3) << 1, 2, 3).finished());
 }
 
-TEST(ReadPly, FacesBeforeVertices) {
+TEST(ReadPly, AcceptsFacesBeforeVertices) {
   expect_same(read_ply(ascii(face_header + vertex_header, ply_faces + ply_vertices), "t.ply"), tetrahedron());
 }
 
-TEST(ReadPly, CoordinatesInAnotherOrderAndIntegers) {
+TEST(ReadPly, AcceptsIntegerCoordinatesInAnyOrder) {
   const Shape shape =
       read_ply(ascii("element vertex 1\nproperty int z\nproperty short x\nproperty uchar y\n", "3 1 2\n"), "t");
   EXPECT_EQ(shape.vertices, (Points(1, 3) << 1, 2, 3).finished());
 }
 
-TEST(ReadPly, PolygonsBecomeFansAndSmallerFacesVanish) {
+TEST(ReadPly, SplitsPolygonsIntoFansAndDropsFacesBelowThreeCorners) {
   const Shape shape =
       read_ply(ascii(vertex_header + face_header, ply_vertices + "4 3 2 1 0\n2 0 1\n1 3\n0\n"), "t.ply");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
 }
 
-TEST(ReadPly, WithoutFacesItIsAPointCloud) {
+TEST(ReadPly, FileWithoutFacesIsAPointCloud) {
   for (const std::string header : {"", "element face 0\n"}) {
     const Shape shape = read_ply(ascii(vertex_header + header, ply_vertices), "t.ply");
     EXPECT_EQ(shape.vertices, tetrahedron().vertices);
@@ -115,7 +115,7 @@ TEST(ReadPly, WithoutFacesItIsAPointCloud) {
   }
 }
 
-TEST(ReadPly, NormalsOfACloud) {
+TEST(ReadPly, ReadsTheNormalsOfACloud) {
   const std::string header = replaced_once(vertex_header, "4\n", "2\nproperty float nz\nproperty float nx\n");
   const std::string body = "2 0 0 0 0 0\n0 0 1 0 0 0\n";
   EXPECT_EQ(read_ply(ascii(header + "property float ny\n", body), "t.ply").normals,
@@ -123,30 +123,30 @@ TEST(ReadPly, NormalsOfACloud) {
   EXPECT_EQ(read_ply(ascii(header + "property float n\n", body), "t.ply").normals.rows(), 0);  // no ny
 }
 
-TEST(ReadPly, NormalsOfAMeshMayBeNan) {
+TEST(ReadPly, IgnoresNanNormalsOfAMesh) {
   const std::string header = vertex_header + "property float nx\nproperty float ny\nproperty float nz\n";
   const std::string lines = "0 0 0 nan 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n";
   expect_same(read_ply(ascii(header + face_header, lines + ply_faces), "t.ply"), tetrahedron());
 }
 
-TEST(ReadPly, TriangleStrips) {
+TEST(ReadPly, ReadsTriangleStrips) {
   const std::string header = vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n";
   const Shape shape = read_ply(ascii(header, ply_vertices + "9 0 1 2 3 3 -1 1 3 2\n"), "t.ply");
   EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 2, 1, 3, 1, 3, 2).finished());
 }
 
-TEST(ReadPly, RefusesUnusableHeaders) {
+TEST(ReadPly, RefusesInvalidHeaders) {
   const std::string plane = "element vertex 1\nproperty float x\nproperty float y\n";
   const std::string faces = vertex_header + "element face 1\nproperty ";
   test::expect_refused(
       {{"OFF\n", "t.ply:1: not a PLY file"},
        {"ply\nformat ascii 1.0\nelement vertex 4\n", "ends within its header"},
-       {"ply\nformat binary 1.0\n", "t.ply:2: \"binary\" is not a PLY format"},
-       {"ply\n" + vertex_header + "end_header\n", "t.ply:6: the header names no format"},
-       {ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\""},
-       {ascii("property float x\n", ""), "t.ply:3: a property before the first element"},
+       {"ply\nformat binary 1.0\n", "t.ply:2: unknown format \"binary\""},
+       {"ply\n" + vertex_header + "end_header\n", "t.ply:6: the header has no line \"format\""},
+       {ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: unknown type \"real\""},
+       {ascii("property float x\n", ""), "t.ply:3: expected an element before the first property"},
        {ascii("element vertex -4\n", ""), "t.ply:3: the number of elements cannot be -4"},
-       {ascii("hello\n", ""), "t.ply:3: \"hello\""},
+       {ascii("hello\n", ""), "t.ply:3: unknown keyword \"hello\""},
        {ascii(face_header, ply_faces), "no element \"vertex\""},
        {ascii(vertex_header + vertex_header, ""), "two elements \"vertex\""},
        {ascii(plane, "0 0\n"), "one property \"z\""},
@@ -159,7 +159,7 @@ TEST(ReadPly, RefusesUnusableHeaders) {
       [](const std::string& bytes) { read_ply(bytes, "t.ply"); });
 }
 
-TEST(ReadPly, RefusesUnusableText) {
+TEST(ReadPly, RefusesInvalidAsciiBodies) {
   const std::string header = vertex_header + face_header;
   const std::string one_face = vertex_header + "element face 1\nproperty list ";
   const std::string strips = vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n";
@@ -180,7 +180,7 @@ TEST(ReadPly, RefusesUnusableText) {
       [](const std::string& bytes) { read_ply(bytes, "t.ply"); });
 }
 
-TEST(ReadPly, RefusesUnusableBinaryFiles) {
+TEST(ReadPly, RefusesInvalidBinaryFiles) {
   Shape wrong_index = tetrahedron();
   wrong_index.triangles(2, 0) = 4;
   Shape not_finite = tetrahedron();
@@ -228,7 +228,7 @@ void expect_samples(const std::string& bytes, std::size_t offset, std::size_t st
 
 using WritePly = test::FolderTest;
 
-TEST_F(WritePly, ColoursAndValuesAtFaces) {
+TEST_F(WritePly, WritesColoursAndValuesOfFaces) {
   const auto path = at("t.ply");
   write_ply(path, tetrahedron(), SampleSite::faces, values(), colours);
   test::expect_same(read_shape(path), tetrahedron());
@@ -243,7 +243,7 @@ TEST_F(WritePly, ColoursAndValuesAtFaces) {
   expect_samples(bytes, body + 4 * vertex, face, 13);
 }
 
-TEST_F(WritePly, ColoursAndValuesAtVertices) {
+TEST_F(WritePly, WritesColoursAndValuesOfVertices) {
   const auto path = at("t.ply");
   write_ply(path, tetrahedron(), SampleSite::vertices, values(), colours);
   test::expect_same(read_shape(path), tetrahedron());
@@ -254,7 +254,7 @@ TEST_F(WritePly, ColoursAndValuesAtVertices) {
   expect_samples(bytes, body, vertex, 24);
 }
 
-TEST_F(WritePly, CloudsWithAndWithoutValues) {
+TEST_F(WritePly, WritesCloudsWithAndWithoutValues) {
   const auto path = at("t.ply");
   write_ply(path, test::small_cloud(), SampleSite::vertices, values(), colours);
   test::expect_same(read_shape(path), test::small_cloud());
@@ -268,14 +268,14 @@ TEST_F(WritePly, CloudsWithAndWithoutValues) {
   test::expect_same(read_shape(path), test::small_cloud());
 }
 
-TEST_F(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
+TEST_F(WritePly, RejectsAWrongNumberOfValuesOrColours) {
   Shape shape = tetrahedron();
   shape.triangles.conservativeResize(3, 3);
   EXPECT_THAT([&] { write_ply(at("t.ply"), shape, SampleSite::faces, values(), colours); },
               ThrowsMessage<InputError>(EndsWith("4 values and 4 colours for 3 samples")));
 }
 
-TEST(ReadPly, TypesHaveTwoNamesAndOneRange) {
+TEST(ReadPly, AcceptsBothPlyNamesOfEachNumberType) {
   const auto coordinate = [](const std::string& type, auto number) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type +
                         " x\nproperty uchar y\nproperty uchar z\nend_header\n";

@@ -88,7 +88,7 @@ void expect_covered(const Corners& corners, double area) {
   EXPECT_NEAR(signed_area(shape), area, 1e-9 * area);
 }
 
-TEST(PolygonFaces, OfConcavePolygonsCoverThemOnce) {
+TEST(PolygonTriangulation, CoversConcavePolygonsOnce) {
   expect_covered(u_profile(), area_of_u);
   EXPECT_EQ(read(u_profile()).triangles.rows(), 6);
   expect_covered({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}, 4);  // an arrowhead
@@ -100,7 +100,7 @@ TEST(PolygonFaces, OfConcavePolygonsCoverThemOnce) {
   }
 }
 
-TEST(PolygonFaces, WithAnInwardEdgeCoverThePolygonOnce) {
+TEST(PolygonTriangulation, CoversAPolygonWithAnInwardEdgeOnce) {
   // A square whose last corner but one is inside it: the fan about the first corner folds over.
   const Corners square = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 1, 0}, {2, 4, 0}, {0, 4, 0}};
   expect_covered(square, 16);
@@ -113,13 +113,13 @@ TEST(PolygonFaces, WithAnInwardEdgeCoverThePolygonOnce) {
   EXPECT_EQ(read(kite).triangles.rows(), 4);
 }
 
-TEST(PolygonFaces, OfConcavePolygonsKeepTheirOrientation) {
+TEST(PolygonTriangulation, KeepsTheOrientationOfConcavePolygons) {
   Corners turned = u_profile();
   std::ranges::reverse(turned);
   EXPECT_NEAR(signed_area(read(turned)), -area_of_u, 1e-9);
 }
 
-TEST(PolygonFaces, AreTheSameForAnySizeAndInAnyPlane) {
+TEST(PolygonTriangulation, IsTheSameForAnySizeAndPlane) {
   const auto expected = triangles_of(read(u_profile()));
   EXPECT_NE(expected, fan(8));
   for (const double scale : {1e-300, 1e-9, 1e9, 1e300}) {
@@ -132,7 +132,7 @@ TEST(PolygonFaces, AreTheSameForAnySizeAndInAnyPlane) {
   EXPECT_EQ(triangles_of(read(standing)), expected);
 }
 
-TEST(PolygonFaces, OfConvexPolygonsAreFans) {
+TEST(PolygonTriangulation, SplitsConvexPolygonsIntoFans) {
   EXPECT_THAT(triangles_of(read(regular(4))), ElementsAre(std::array{0, 1, 2}, std::array{0, 2, 3}));
   EXPECT_EQ(triangles_of(read(regular(300))), fan(300));
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}})), fan(5))
@@ -140,7 +140,7 @@ TEST(PolygonFaces, OfConvexPolygonsAreFans) {
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {1, 0, 0.3}, {1, 1, 0}, {0, 1, 0.3}})), fan(4)) << "a saddle";
 }
 
-TEST(PolygonFaces, OfNearlyPlanarPolygonsCoverThem) {
+TEST(PolygonTriangulation, CoversNearlyPlanarConcavePolygons) {
   Corners bent = u_profile();
   for (std::size_t i = 0; i < bent.size(); ++i) bent[i].z() = i % 2 == 0 ? 0.05 : 0;
   const Shape shape = read(bent);
@@ -148,20 +148,20 @@ TEST(PolygonFaces, OfNearlyPlanarPolygonsCoverThem) {
   EXPECT_NEAR(surface_area(shape), area_of_u, 0.01 * area_of_u);
 }
 
-TEST(PolygonFaces, WithABridgeToAHoleExcludeTheHole) {
+TEST(PolygonTriangulation, ExcludesAHoleConnectedByABridge) {
   const Corners frame = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                          {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   expect_covered(frame, 12);
 }
 
-TEST(PolygonFaces, ThatTouchThemselvesAreCovered) {
+TEST(PolygonTriangulation, CoversPolygonsThatTouchThemselves) {
   // Two diamonds with a common corner; another corner lies on a side of the first.
   expect_covered({{0, 0, 0}, {2, -2, 0}, {4, 0, 0}, {6, -2, 0}, {8, 0, 0}, {6, 2, 0}, {4, 0, 0}, {2, 2, 0}}, 16);
   // A corner on the opposite side.
   expect_covered({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 0, 0}, {0, 2, 0}}, 4);
 }
 
-TEST(PolygonFaces, OfSelfIntersectingPolygonsAreFans) {
+TEST(PolygonTriangulation, SplitsSelfIntersectingPolygonsIntoFans) {
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {3, 3, 0}, {3, 0, 0}, {0, 1, 0}})), fan(4)) << "a bow";
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}})), fan(4)) << "without area";
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {5, 5, 5}})), fan(5)) << "a line";
@@ -170,7 +170,7 @@ TEST(PolygonFaces, OfSelfIntersectingPolygonsAreFans) {
   EXPECT_EQ(triangles_of(read({five[0], five[2], five[4], five[1], five[3]})), fan(5)) << "a pentagram";
 }
 
-TEST(PolygonFaces, AreTheSameInEveryFormat) {
+TEST(PolygonTriangulation, IsTheSameInEveryFileFormat) {
   std::string off = "OFF\n8 1 0\n";
   std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n";
@@ -184,7 +184,7 @@ TEST(PolygonFaces, AreTheSameInEveryFormat) {
   EXPECT_EQ(triangles_of(read_ply(ply + "8 0 1 2 3 4 5 6 7\n", "shape")), expected);
 }
 
-TEST(PolygonFaces, AreRecordedOnlyIfNotAllTriangles) {
+TEST(PolygonTriangulation, RecordsPolygonsUnlessAllFacesAreTriangles) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   const Shape triangles = read_obj(vertices + "f 1 2 3\nf 1 3 4\n", "shape");
   EXPECT_FALSE(has_polygons(triangles));
@@ -204,7 +204,7 @@ TEST(PolygonFaces, AreRecordedOnlyIfNotAllTriangles) {
   EXPECT_EQ(polygon_count(flawed), 2);
 }
 
-TEST(PolygonFaces, OfManyCornersAreFastAndOfTooManyRejected) {
+TEST(PolygonTriangulation, HandlesTheMaximumOfCornersAndRejectsMore) {
   const int most = static_cast<int>(max_polygon_corners);
   const Shape shape = read(star(most, 0.9));
   EXPECT_EQ(shape.triangles.rows(), most - 2);
@@ -222,7 +222,7 @@ TEST(PolygonFaces, OfManyCornersAreFastAndOfTooManyRejected) {
   EXPECT_THAT(test::input_error_of([&] { read_ply(ply + count + corners + "\n", "shape"); }), too_many);
 }
 
-TEST(PolygonFaces, OfManyCoincidentCornersAreFast) {
+TEST(PolygonTriangulation, CoversPolygonsWithThousandsOfCoincidentCorners) {
   constexpr int petals = 20000;
   Corners polygon;
   double area = 0;

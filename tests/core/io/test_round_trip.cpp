@@ -30,14 +30,14 @@ void require_identical(const Shape& actual, const Shape& expected) {
   RC_ASSERT(actual.triangles == expected.triangles);
 }
 
-RC_GTEST_PROP(RoundTrip, OffGivesTheSameDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsDoublesAndIndices, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_off(folder.path() / "t.off", shape);
   require_identical(read_shape(folder.path() / "t.off"), shape);
 }
 
-RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAPlyFileKeepsDoublesAndIndices, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   const Eigen::Index samples = shape.vertices.rows();
@@ -46,7 +46,7 @@ RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
   require_identical(read_shape(folder.path() / "t.ply"), shape);
 }
 
-RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAnObjFileKeepsDoublesAndIndices, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_obj(folder.path() / "t.obj", shape);
@@ -54,7 +54,7 @@ RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
 }
 
 /// STL preserves the order of triangle corners, and coordinates in single precision.
-RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
+RC_GTEST_PROP(RoundTrip, OfAnStlFileKeepsCornersInSinglePrecision, ()) {
   static const test::TemporaryFolder folder;
   Shape shape = shape_of(*any_polygons(true));
   RC_PRE(shape.triangles.rows() > 0);
@@ -70,7 +70,7 @@ RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
   RC_ASSERT(corners(read_shape(folder.path() / "again.stl")) == corners(read));
 }
 
-RC_GTEST_PROP(RoundTrip, CloudsGiveTheSameDoubles, ()) {
+RC_GTEST_PROP(RoundTrip, OfACloudKeepsDoubles, ()) {
   static const test::TemporaryFolder folder;
   Shape cloud{(*any_polygons(true)).vertices, {}, {}};
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
@@ -145,7 +145,7 @@ class RandomOffWriter {
   std::string text_;
 };
 
-RC_GTEST_PROP(RoundTrip, ReadsOffInVariousStyles, (unsigned seed)) {
+RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsNumbersInAnyTextStyle, (unsigned seed)) {
   const Polygons polygons = *any_polygons(false);
   const std::string text = RandomOffWriter(seed).write(polygons);
   RC_LOG(text);

@@ -61,7 +61,7 @@ TEST(TextScanner, SplitsWordsAtBlanksAndComments) {
   EXPECT_TRUE(scanned_words("# nothing").empty());
 }
 
-RC_GTEST_PROP(TextScanner, WordsMatchTheDefinition, ()) {
+RC_GTEST_PROP(TextScanner, WordsMatchANaiveSplit, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', '1', '#', ' ', '\t', '\n', '\r'));
   RC_ASSERT(scanned_words(text) == literal_words(text));
 }
@@ -112,7 +112,7 @@ TEST(TextScanner, RejectsFractionsAsIntegers) {
   }
 }
 
-RC_GTEST_PROP(TextScanner, ReadsBackWrittenNumbers, (const std::vector<double>& numbers, std::int64_t last)) {
+RC_GTEST_PROP(TextScanner, RestoresWrittenNumbersExactly, (const std::vector<double>& numbers, std::int64_t last)) {
   std::string text;
   for (const double number : numbers) text += fmt::format("{}{}", number, *rc::gen::element(" ", "\r\n", "#c\n", "\t"));
   text += std::to_string(last);
@@ -148,7 +148,7 @@ TEST(TextScanner, ErrorsNameTheLine) {
   }
 }
 
-TEST(TextScanner, ErrorsStayShort) {
+TEST(TextScanner, ErrorsQuoteAtMostTheStartOfLongWords) {
   const std::string text(100'000, 'x');
   EXPECT_LT(test::input_error_of([&] {
               TextScanner scanner(text, scanned_name);
@@ -158,7 +158,7 @@ TEST(TextScanner, ErrorsStayShort) {
             1000U);
 }
 
-TEST(TextScanner, KnowsTheEndOfALine) {
+TEST(TextScanner, DetectsTheEndOfALine) {
   const std::string text = "a b \t# more\n\nc\r\nd";
   TextScanner scanner(text, scanned_name);
   EXPECT_EQ(scanner.read_word(), "a");
@@ -174,7 +174,7 @@ TEST(TextScanner, KnowsTheEndOfALine) {
   EXPECT_TRUE(scanner.at_end());
 }
 
-TEST(TextScanner, SkipsWordsAndCharacters) {
+TEST(TextScanner, SkipsTheRequestedNumberOfWordsOrCharacters) {
   const std::string text = "one two three\nfour";
   TextScanner scanner(text, scanned_name);
   EXPECT_EQ(scanner.remaining(), text.size());
@@ -208,7 +208,7 @@ TEST(ByteScanner, ReadsBothByteOrders) {
   EXPECT_EQ(all, 0x04030201U);
 }
 
-TEST(ByteScanner, DoesNotMoveBeyondTheEnd) {
+TEST(ByteScanner, DoesNotReadBeyondTheEnd) {
   const std::string bytes = "\x01\x02\x03";
   ByteScanner scanner(bytes, std::endian::little);
   std::uint32_t four = 7;

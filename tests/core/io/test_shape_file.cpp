@@ -29,7 +29,7 @@ Points corners_of(const Shape& shape) {
 
 using ReadShape = test::FolderTest;
 
-TEST_F(ReadShape, EveryFormatByItsExtension) {
+TEST_F(ReadShape, ReadsEveryFormatByItsExtension) {
   for (const auto& [name, bytes, optional] : test::encoded_in_every_format(tetrahedron())) {
     const auto path = folder_.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
@@ -39,7 +39,7 @@ TEST_F(ReadShape, EveryFormatByItsExtension) {
   }
 }
 
-TEST_F(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
+TEST_F(ReadShape, ReadsCloudsWithNormalsInEveryFormat) {
   for (const auto& [name, bytes, optional] : test::cloud_in_every_format(test::small_cloud())) {
     SCOPED_TRACE(name);
     const auto path = folder_.file(name, bytes);
@@ -48,7 +48,7 @@ TEST_F(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
   }
 }
 
-TEST_F(ReadShape, TextInUtf16) {
+TEST_F(ReadShape, ReadsTextInUtf16) {
   const std::string text = test::as_ascii_off(tetrahedron());
   std::string little = "\xFF\xFE";
   std::string big = "\xFE\xFF";
@@ -62,11 +62,11 @@ TEST_F(ReadShape, TextInUtf16) {
   }
 }
 
-TEST_F(ReadShape, ExtensionInCapitals) {
+TEST_F(ReadShape, AcceptsExtensionsInCapitals) {
   test::expect_same(read_shape(folder_.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());
 }
 
-TEST_F(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
+TEST_F(ReadShape, DetectsTheFormatByTheFirstBytesIfTheExtensionIsUnknown) {
   test::expect_same(read_shape(folder_.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
   test::expect_same(read_shape(folder_.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
   test::expect_same(read_shape(folder_.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
@@ -76,7 +76,7 @@ TEST_F(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   EXPECT_EQ(read_shape(folder_.file("c.dat", of_off)).triangles.rows(), 4);
 }
 
-TEST_F(ReadShape, UnsupportedFormatsGiveAdvice) {
+TEST_F(ReadShape, SuggestsAConversionForUnsupportedFormats) {
   for (const char* name : {"part.STEP", "scene.fbx", "scan.las", "print.3mf"}) {
     test::write_text(folder_.path() / name, "anything");
     EXPECT_THAT(test::input_error_of([&] { read_shape(folder_.path() / name); }), ::testing::HasSubstr("export"));
@@ -84,7 +84,7 @@ TEST_F(ReadShape, UnsupportedFormatsGiveAdvice) {
   EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
-TEST_F(ReadShape, RejectsFilesThatAreNoShapes) {
+TEST_F(ReadShape, RejectsFilesThatAreNotShapes) {
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
   std::filesystem::create_directory(at("folder.off"));
   ASSERT_EQ(::mkfifo(at("pipe.off").c_str(), 0644), 0);
@@ -102,7 +102,7 @@ TEST_F(ReadShape, RejectsFilesThatAreNoShapes) {
   test::expect_refused(refusals, [&](const std::string& name) { check_shape_header(folder_.path() / name); });
 }
 
-TEST_F(ReadShape, FileWithoutVerticesIsAnError) {
+TEST_F(ReadShape, RejectsFilesWithoutVertices) {
   for (const auto& [name, bytes, optional] :
        {test::Encoded{"t.off", "OFF\n0 0 0\n"},
         {"t.ply",
@@ -127,7 +127,7 @@ TEST(ShapeWriter, SelectsTheFormatByExtension) {
   const TemporaryFolder folder;
   for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}, {"t.obj", "v 0"}, {"t.Stl", "bin"}}) {
     const auto path = folder.path() / name;
-    shape_writer(path)(path, tetrahedron());
+    shape_writer(path)(path, tetrahedron(), {});
     EXPECT_EQ(test::bytes_of(path).substr(0, 3), begin);
     EXPECT_NO_THROW(check_shape_header(path));
     EXPECT_EQ(corners_of(read_shape(path)), corners_of(tetrahedron())) << name;
@@ -138,7 +138,7 @@ TEST(ShapeWriter, RejectsUnknownExtensions) {
   for (const char* const name : {"t.xyz", "t.doc", "t"}) EXPECT_THROW(shape_writer(name), InputError) << name;
 }
 
-TEST(ShapeWriter, RejectsShapesThatCannotBeReadAgain) {
+TEST(ShapeWriter, RejectsShapesThatCouldNotBeReadBack) {
   const TemporaryFolder folder;
   Shape not_finite = tetrahedron();
   not_finite.vertices(2, 1) = std::numeric_limits<double>::infinity();
@@ -146,8 +146,8 @@ TEST(ShapeWriter, RejectsShapesThatCannotBeReadAgain) {
   no_such_vertex.triangles(0, 0) = 4;
   for (const std::string_view extension : written_shape_extensions()) {
     const auto path = folder.path() / ("t" + std::string(extension));
-    EXPECT_THROW(shape_writer(path)(path, not_finite), InputError) << extension;
-    EXPECT_THROW(shape_writer(path)(path, no_such_vertex), InputError) << extension;
+    EXPECT_THROW(shape_writer(path)(path, not_finite, {}), InputError) << extension;
+    EXPECT_THROW(shape_writer(path)(path, no_such_vertex, {}), InputError) << extension;
     EXPECT_FALSE(std::filesystem::exists(path)) << extension;
   }
 }

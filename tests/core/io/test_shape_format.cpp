@@ -32,7 +32,7 @@ SoupBuilder square_builder() {
   return builder;
 }
 
-TEST(SoupBuilder, KeepsNormalsOfCloudsWithOnePerPoint) {
+TEST(SoupBuilder, KeepsCloudNormalsOnlyIfThereIsOnePerPoint) {
   SoupBuilder cloud = square_builder();
   cloud.add_normal({0, 0, 5});
   cloud.add_normal({0, 0, 0});
@@ -60,7 +60,7 @@ TEST(FirstLineOfData, SkipsBlanksAndComments) {
   EXPECT_EQ(first_line_of_data(""), "");
 }
 
-RC_GTEST_PROP(AppendNumber, WritesTheShortestRoundTrip, (double number)) {
+RC_GTEST_PROP(AppendNumber, WritesTheShortestTextThatIsReadBackExactly, (double number)) {
   std::string text = "x";
   append_number(text, number, ' ');
   RC_ASSERT(text.front() == 'x' && text.back() == ' ');
@@ -71,7 +71,7 @@ RC_GTEST_PROP(AppendNumber, WritesTheShortestRoundTrip, (double number)) {
   RC_ASSERT(text.size() <= 26U);
 }
 
-TEST(AppendNumber, WritesTheLongestNumbers) {
+TEST(AppendNumber, WritesNumbersOfMaximumTextLengthExactly) {
   for (const double number : {-std::numeric_limits<double>::max(), -std::numeric_limits<double>::denorm_min(),
                               -2.2250738585072014e-308, -1.7976931348623157e+308}) {
     std::string text;
@@ -84,7 +84,7 @@ TEST(AppendNumber, WritesTheLongestNumbers) {
   EXPECT_EQ(text, "0.1 -2 1e+30\n");
 }
 
-TEST(RequireWritable, RejectsShapesThatCannotBeReadAgain) {
+TEST(RequireWritable, RejectsShapesThatCouldNotBeReadBack) {
   const Shape mesh{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}}};
   const Shape cloud{mesh.vertices, {}, mesh.vertices};
   EXPECT_NO_THROW(require_writable("x", mesh));

@@ -26,26 +26,26 @@ class ReadNeighbour : public test::FolderTest {
   [[nodiscard]] ShapeSource source() const { return read_shape_source(at("set/shape.x")); }
 };
 
-TEST_F(ReadNeighbour, FindsFilesInTheFolderAndBelow) {
+TEST_F(ReadNeighbour, FindsReferencedFilesInTheFolderOfTheShapeAndBelow) {
   EXPECT_EQ(source().bytes, "shape");
   EXPECT_EQ(source().read_neighbour("parts/one.bin"), "one of the parts");
   EXPECT_EQ(source().read_neighbour("./parts//one.bin"), "one of the parts");
   EXPECT_EQ(source().read_neighbour("shape.x"), "shape");
 }
 
-TEST_F(ReadNeighbour, FollowsLinks) {
+TEST_F(ReadNeighbour, FollowsSymbolicLinksToReferencedFiles) {
   std::filesystem::create_symlink("../../outside.bin", at("set/parts/link.bin"));
   EXPECT_EQ(source().read_neighbour("parts/link.bin"), "not to be read");
 }
 
-TEST_F(ReadNeighbour, FilesOfTheWorkingFolder) {
+TEST_F(ReadNeighbour, FindsFilesReferencedByAShapeInTheWorkingFolder) {
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(at("set"));
   EXPECT_EQ(read_shape_source("shape.x").read_neighbour("parts/one.bin"), "one of the parts");
   std::filesystem::current_path(before);
 }
 
-TEST_F(ReadNeighbour, RejectsFilesOutsideTheFolder) {
+TEST_F(ReadNeighbour, RejectsReferencedFilesOutsideTheFolderOfTheShape) {
   const std::string absolute = at("outside.bin").string();
   for (const std::string& file :
        {std::string("../outside.bin"), std::string("parts/../../outside.bin"), std::string("parts/.."), absolute,
@@ -56,19 +56,19 @@ TEST_F(ReadNeighbour, RejectsFilesOutsideTheFolder) {
   }
 }
 
-TEST_F(ReadNeighbour, MessagesNameBothFiles) {
+TEST_F(ReadNeighbour, ErrorsNameTheShapeAndTheReferencedFile) {
   const auto names_both = AllOf(StartsWith(source().name + ": "), HasSubstr("two.bin"));
   EXPECT_THAT([&] { return source().read_neighbour("two.bin"); }, ThrowsMessage<InputError>(names_both));
   EXPECT_THAT([&] { return source().read_neighbour("../two.bin"); }, ThrowsMessage<InputError>(names_both));
 }
 
-TEST_F(ReadNeighbour, RejectsNeighboursOfStandardInput) {
+TEST_F(ReadNeighbour, RejectsFilesReferencedByStandardInput) {
   const ShapeSource stream{.bytes = "shape", .name = "standard input"};
   EXPECT_THROW(static_cast<void>(stream.read_neighbour("CMakeCache.txt")), InputError);
   EXPECT_THROW(static_cast<void>(stream.neighbour("parts/one.bin")), InputError);
 }
 
-TEST_F(ReadNeighbour, RefusesFoldersAndEmptyFiles) {
+TEST_F(ReadNeighbour, RefusesReferencesToFoldersAndEmptyFiles) {
   test::write_text(at("set/empty.bin"), "");
   EXPECT_THROW(static_cast<void>(source().read_neighbour("parts")), InputError);
   EXPECT_THROW(static_cast<void>(source().read_neighbour("empty.bin")), InputError);

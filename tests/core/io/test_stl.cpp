@@ -28,22 +28,24 @@ std::string with_first_replaced(std::string text, const std::string& what, const
   return text.replace(text.find(what), what.size(), with);
 }
 
-TEST(ReadStl, Ascii) {
+TEST(ReadStl, ReadsAsciiFiles) {
   const std::string text = as_ascii_stl(test::tetrahedron());
   for (const std::string& bytes : {text, "\xEF\xBB\xBF" + text}) {
     expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
   }
 }
 
-TEST(ReadStl, Binary) { expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
+TEST(ReadStl, ReadsBinaryFiles) {
+  expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron());
+}
 
-TEST(ReadStl, BinaryThatBeginsWithSolid) {
+TEST(ReadStl, ReadsBinaryFilesThatBeginWithSolid) {
   const std::string bytes = as_binary_stl(test::tetrahedron(), "solid by an exporter\nfacet normal");
   expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
   expect_same(read_stl(bytes + "data behind", "t.stl"), renumbered_tetrahedron());
 }
 
-TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
+TEST(ReadStl, ReadsAsciiOnOneLineInCapitalsAndOfTwoSolids) {
   const std::string facet =
       "FACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 ENDLOOP ENDFACET ";
   const Shape shape = read_stl("SOLID\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
@@ -52,7 +54,7 @@ TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
   EXPECT_TRUE(is_recognised_shape({.bytes = "Solid a\n" + facet + "ENDSOLID\n", .name = "standard input"}));
 }
 
-TEST(ReadStl, WeldsZeroAndMinusZero) {
+TEST(ReadStl, WeldsVerticesAtZeroAndMinusZero) {
   Shape shape = renumbered_tetrahedron();
   shape.vertices.row(3).setConstant(-0.0);
   const Shape read = read_stl(as_binary_stl(shape), "t.stl");
@@ -60,7 +62,7 @@ TEST(ReadStl, WeldsZeroAndMinusZero) {
   EXPECT_EQ(read.triangles, (Triangles(4, 3) << 0, 1, 2, 0, 2, 0, 0, 0, 1, 2, 1, 0).finished());
 }
 
-TEST(ReadStl, RefusesUnusableFiles) {
+TEST(ReadStl, RefusesTruncatedFilesWrongCountsAndNonFiniteCoordinates) {
   const std::string text = as_ascii_stl(test::tetrahedron());
   const std::string bytes = as_binary_stl(test::tetrahedron());
   const std::string solid = as_binary_stl(test::tetrahedron(), "solid");
@@ -85,7 +87,7 @@ TEST(ReadStl, RefusesUnusableFiles) {
                        [](const std::string& file) { read_stl(file, "t.stl"); });
 }
 
-TEST(ReadStl, ChecksTheHeaderAlone) {
+TEST(ReadStl, HeaderCheckRecognisesOnlyStlFiles) {
   EXPECT_NO_THROW(stl_format().check_header("solid x\n", "t.stl"));
   EXPECT_NO_THROW(stl_format().check_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
   EXPECT_THROW(stl_format().check_header("hello", "t.stl"), InputError);
@@ -93,7 +95,7 @@ TEST(ReadStl, ChecksTheHeaderAlone) {
 
 using WriteStl = test::FolderTest;
 
-TEST_F(WriteStl, IsTheBinaryFormatByteForByte) {
+TEST_F(WriteStl, WritesTheBinaryFormatByteForByte) {
   // its normal is along x
   const Shape triangle{.vertices = Points{{0, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = Triangles{{0, 1, 2}}};
   write_stl(at("t.stl"), triangle);
@@ -109,7 +111,7 @@ TEST_F(WriteStl, IsTheBinaryFormatByteForByte) {
             one + zero + zero + zero + zero + zero + zero + two + zero + zero + zero + three + "\0\0"s);
 }
 
-TEST_F(WriteStl, DegenerateTrianglesHaveNoNormal) {
+TEST_F(WriteStl, WritesZeroNormalsForDegenerateTriangles) {
   Shape flat = test::tetrahedron();
   flat.vertices.setOnes();
   write_stl(at("t.stl"), flat);
@@ -118,7 +120,7 @@ TEST_F(WriteStl, DegenerateTrianglesHaveNoNormal) {
   EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
 }
 
-TEST_F(WriteStl, LossOfPrecisionIsAWarning) {
+TEST_F(WriteStl, WarnsOfCoordinatesThatLosePrecision) {
   Shape shape = test::tetrahedron();
   EXPECT_EQ(precision_warning("x.stl", shape), std::nullopt);
   shape.vertices = (0.3 * shape.vertices).array() + 1e4;  // not in single precision

@@ -102,7 +102,7 @@ void expect_constrained_delaunay(const FlatCorners& corners, const std::vector<P
   }
 }
 
-TEST(ConstrainedDelaunay, OfSimplePolygons) {
+TEST(ConstrainedDelaunay, TriangulatesSimplePolygons) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const FlatCorners corners = random_polygon(seed);
@@ -122,7 +122,7 @@ double area_of(const FlatCorners& corners, const std::vector<PolygonTriangle>& t
   return area;
 }
 
-TEST(ConstrainedDelaunay, OfASquareWithABridgeToItsHole) {
+TEST(ConstrainedDelaunay, ExcludesAHoleConnectedByABridge) {
   const FlatCorners frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
   const std::vector<PolygonTriangle> triangles = constrained_delaunay(frame);
   for (const auto& [a, b, c] : triangles) {
@@ -132,13 +132,13 @@ TEST(ConstrainedDelaunay, OfASquareWithABridgeToItsHole) {
   EXPECT_EQ(area_of(frame, triangles), 12);
 }
 
-TEST(ConstrainedDelaunay, OfSidesThatPassThroughOtherCorners) {
+TEST(ConstrainedDelaunay, CoversAPolygonWhoseSidePassesThroughOtherCorners) {
   // The first side passes through the next two corners, which go back along it.
   const FlatCorners corners = {{0, 0}, {10, 0}, {1, 0}, {4, 0}, {4, 4}, {13, 4}, {1, 6}, {3, 3}};
   EXPECT_EQ(area_of(corners, constrained_delaunay(corners)), 19.5);
 }
 
-TEST(ConstrainedDelaunay, OfAnOutlineWalkedBackAndForthHasItsArea) {
+TEST(ConstrainedDelaunay, CoversAnOutlineWithRepeatedSidesOnce) {
   // An L with an area of 16, with corners anywhere on its sides, in any order.
   const FlatCorners outline = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 4}, {0, 4}};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -156,7 +156,7 @@ TEST(ConstrainedDelaunay, OfAnOutlineWalkedBackAndForthHasItsArea) {
   }
 }
 
-TEST(ConstrainedDelaunay, OfASelfIntersectingPolygonIsEmpty) {
+TEST(ConstrainedDelaunay, IsEmptyForSelfIntersectingPolygons) {
   EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {3, 3}, {3, 0}, {0, 1}}).empty());
   EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty()) << "a line";
 }
@@ -225,7 +225,7 @@ TEST(TrianglesInPlaceOfFan, DoNotDependOnSizeAndPosition) {
   }
 }
 
-TEST(TrianglesInPlaceOfFan, AreNotNeededForTrianglesOrZeroArea) {
+TEST(TrianglesInPlaceOfFan, AreEmptyForTrianglesOrZeroArea) {
   EXPECT_TRUE(triangles_in_place_of_fan({}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>(7, Eigen::Vector3d(1, 2, 3))).empty());

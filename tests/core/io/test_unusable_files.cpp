@@ -59,7 +59,7 @@ std::vector<Encoded> every_format() {
 
 using UnusableFiles = test::FolderTest;
 
-TEST_F(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
+TEST_F(UnusableFiles, TruncatedAnywhereAreReadOrGiveAnInputError) {
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
@@ -72,7 +72,7 @@ TEST_F(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
   }
 }
 
-TEST_F(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
+TEST_F(UnusableFiles, WithDamagedBytesAreReadOrGiveAnInputError) {
   std::mt19937 random(20240229);
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
@@ -88,7 +88,7 @@ TEST_F(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
   }
 }
 
-TEST_F(UnusableFiles, ImpossibleCountsAllocateNoMemory) {
+TEST_F(UnusableFiles, WithImpossibleCountsAllocateNoMemory) {
   const std::string ply_vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string ply_faces =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"

@@ -12,7 +12,7 @@ const Eigen::Vector3d x_axis(1, 0, 0);
 const Eigen::Vector3d y_axis(0, 1, 0);
 const Eigen::Vector3d z_axis(0, 0, 1);
 
-TEST(UpDirection, FollowsTheWord) {
+TEST(UpDirection, IsReadFromAnAxisName) {
   const std::vector<Eigen::Vector3d> directions{x_axis, y_axis, z_axis, -x_axis, -y_axis, -z_axis};
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const std::string_view word = words_of<UpAxis>[i + 1];
@@ -20,7 +20,7 @@ TEST(UpDirection, FollowsTheWord) {
   }
 }
 
-TEST(UpDirection, IsThatOfTheFormatByDefault) {
+TEST(UpDirection, DependsOnTheFileFormatByDefault) {
   for (const char* name : {"a.off", "a.OBJ", "a.gltf", "a.glb"}) {
     EXPECT_EQ(up_direction(UpAxis::automatic, name), y_axis) << name;
   }
@@ -29,7 +29,7 @@ TEST(UpDirection, IsThatOfTheFormatByDefault) {
   }
 }
 
-TEST(UpDirection, AFileMayStateIt) {
+TEST(UpDirection, IsReadFromACommentOfTheFile) {
   const test::TemporaryFolder folder;
   const auto up_of = [&](const std::string& text) {
     return up_direction(UpAxis::automatic, folder.file("a.off", text));

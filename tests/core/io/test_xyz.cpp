@@ -21,9 +21,9 @@ Shape expect_three_points(const std::string& text) {
   return shape;
 }
 
-TEST(ReadXyz, ThreeColumns) { EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0); }
+TEST(ReadXyz, ReadsThreeColumns) { EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0); }
 
-TEST(ReadXyz, SeparatorsCommentsAndLineEnds) {
+TEST(ReadXyz, AcceptsAnySeparatorsCommentsAndLineEnds) {
   for (const char* text :
        {"0,0,.5\n1,0,-2\n0,1000,0\n", "0, 0, .5\n1, 0, -2\n0, 1000, 0", "0;0;.5\n1;0;-2\n0;1e3;0\n",
         "0\t0  .5\r\n\r\n1 0 -2\r\n 0 1e3 0\r\n", "0 0 .5\r1 0 -2\r0 1e3 0\r",
@@ -34,7 +34,7 @@ TEST(ReadXyz, SeparatorsCommentsAndLineEnds) {
   }
 }
 
-TEST(ReadXyz, ColumnsFourToSixAreNormalsIfOfUnitLength) {
+TEST(ReadXyz, TreatsColumnsFourToSixAsNormalsIfOfUnitLength) {
   const Shape shape = expect_three_points("0 0 .5 0 0 1.02\n1 0 -2 0.6 0 -0.8\n0 1e3 0 0 0 0\n");
   EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, -0.8, 0, 0, 0).finished(), 1e-15));
 }
@@ -44,7 +44,7 @@ TEST(ReadXyz, IgnoresFurtherColumns) {
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, -1, 1, 0, 0).finished());
 }
 
-TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
+TEST(ReadXyz, DoesNotTreatColoursAndOtherColumnsAsNormals) {
   for (const char* text :
        {"0 0 .5 255 0 0\n1 0 -2 0 0 255\n0 1e3 0 255 255 0\n",      // 8-bit colours
         "0 0 .5 .2 .2 .2\n1 0 -2 1 1 1\n0 1e3 0 .5 .5 .5\n",        // grey levels
@@ -58,7 +58,7 @@ TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
   }
 }
 
-TEST(ReadXyz, AllowsOneVectorInTenOfAnotherLength) {
+TEST(ReadXyz, AcceptsNormalsIfOneInTenIsNotOfUnitLength) {
   std::string text = "9 9 9 0 3 4\n";
   for (int i = 0; i < 8; ++i) text += "0 0 0 0 0 -1\n";
   EXPECT_EQ(read_xyz(text, "c.xyz").normals.rows(), 0);
@@ -67,17 +67,17 @@ TEST(ReadXyz, AllowsOneVectorInTenOfAnotherLength) {
   EXPECT_TRUE(shape.normals.row(0).isApprox(Eigen::RowVector3d(0, 0.6, 0.8), 1e-15));
 }
 
-TEST(ReadXyz, PwnHasNormalsAfterThePoints) {
+TEST(ReadXyz, ReadsPwnNormalsAfterThePoints) {
   const Shape shape = expect_three_points("3\n0 0 .5\n1 0 -2\n0 1e3 0\n0 0 1\n0 -5 0\n0 0 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
 }
 
-TEST(ReadXyz, PwnMayHaveNormalsOnTheSameLines) {
+TEST(ReadXyz, ReadsPwnNormalsOnTheLinesOfPoints) {
   const Shape shape = expect_three_points("3\n0 0 .5 0 0 1\n1 0 -2 0 -1 0\n0 1e3 0 0 0 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
 }
 
-TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
+TEST(ReadXyz, NormalisesNormalsOfAnySize) {
   for (const char* size : {"1e-310", "1e-200", "1e200", "1e308"}) {
     const std::string text = std::string("1\n0 0 0\n") + size + " 0 -" + size + "\n";
     const Shape shape = read_xyz(text, "c.xyz");
@@ -86,7 +86,7 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
   }
 }
 
-TEST(ReadXyz, RefusesUnusableLines) {
+TEST(ReadXyz, RefusesMissingCoordinatesDecimalCommasAndWrongPointCounts) {
   test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: expected 3 coordinates of a point, found 2"},
                         {"0 0 0\n\n7\n", "c.xyz:3: expected 3 coordinates of a point, found 1"},
                         {"x,y\n0,0,0\n", "c.xyz:1: expected a coordinate"},
@@ -113,7 +113,7 @@ TEST(ReadXyz, RefusesUnusableLines) {
                        [](const std::string& text) { read_xyz(text, "c.xyz"); });
 }
 
-TEST(ReadXyz, RefusesAColumnThatCountsThePoints) {
+TEST(ReadXyz, RefusesARunningIndexAsFirstColumn) {
   for (const int first : {0, 1, 2}) {
     std::string text;
     for (int i = 0; i < 12; ++i) text += fmt::format("{} 0.5 {} 1\n", first + i, i % 3);
@@ -126,7 +126,7 @@ TEST(ReadXyz, RefusesAColumnThatCountsThePoints) {
   }
 }
 
-TEST(ReadXyz, ChecksTheHeaderAlone) {
+TEST(ReadXyz, HeaderCheckRejectsTextWithoutNumbers) {
   EXPECT_NO_THROW(check_xyz_header("# x\n 12\n0 0", "c.xyz"));
   EXPECT_NO_THROW(check_xyz_header("0 0 0\n0 0", "c.xyz"));
   EXPECT_THROW(check_xyz_header("hello\n", "c.xyz"), InputError);

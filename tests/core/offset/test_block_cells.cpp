@@ -45,7 +45,7 @@ BlockCells filled_cell_by_cell(BlockCells cells, BlockCells free) {
   }
 }
 
-TEST(BlockCells, FillAcrossFaces) {
+TEST(BlockCells, FloodFillSpreadsAcrossFacesOfCells) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 500; ++i) {
     const BlockCells seeds = BlockCells{1} << (random() % cells_per_block);
@@ -55,7 +55,7 @@ TEST(BlockCells, FillAcrossFaces) {
   }
 }
 
-TEST(BlockCells, FindContactsAcrossASide) {
+TEST(BlockCells, CellsAcrossASideMatchATestOfEachCell) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 100; ++i) {
     const BlockCells cells = random();
@@ -71,7 +71,7 @@ TEST(BlockCells, FindContactsAcrossASide) {
   }
 }
 
-TEST(BlockCells, FindContactsIn26Directions) {
+TEST(BlockCells, CellsTouchingANeighbourInAnyDirectionMatchATestOfEachCell) {
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3i direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     // A cell touches the neighbour if a step in that direction leaves the block along every axis of the direction.

@@ -25,7 +25,7 @@ double distance_to_points(const GridPoints& points, const Eigen::Vector3d& x, st
   return std::sqrt(squared);
 }
 
-TEST(BlockDistances, MatchExhaustiveSearch) {
+TEST(BlockDistances, ToTheSurfaceMatchExhaustiveSearch) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.04);
   const double spacing = 1;
@@ -81,7 +81,7 @@ TEST(BlockDistances, MatchExhaustiveSearch) {
   for (const int count : kinds) EXPECT_GT(count, 0);
 }
 
-TEST(IndicesWithin, SelectsNumbersUpToTheLimit) {
+TEST(IndicesWithin, SelectsIndicesOfNumbersUpToTheLimit) {
   RandomNumbers random(1, 0);
   for (std::size_t n = 0; n < 70; ++n) {
     std::vector<float> numbers(n + grid_padding);  // the padding is below the limit, and must not be found

@@ -22,7 +22,7 @@ const std::vector<Eigen::Vector3i>& sizes_of_grids() {
   return sizes;
 }
 
-TEST(BlockGrid, OuterBlocksAreBeyondTheOffset) {
+TEST(BlockGrid, OutermostBlocksLieBeyondTheOffset) {
   RandomNumbers random(1);
   for (int round = 0; round < 300; ++round) {
     const auto point = [&] {
@@ -45,7 +45,7 @@ TEST(BlockGrid, OuterBlocksAreBeyondTheOffset) {
   }
 }
 
-TEST(BlockGrid, IndicesCountTheBlocksAlongXFirst) {
+TEST(BlockGrid, IndicesOfBlocksRunAlongXFirst) {
   for (const Eigen::Vector3i& size : sizes_of_grids()) {
     const BlockGrid grid = grid_of_blocks(size);
     ASSERT_EQ(grid.block_count(), static_cast<std::size_t>(size.prod()));
@@ -88,7 +88,7 @@ std::vector<std::uint8_t> marked_within(const BlockGrid& grid, const std::vector
   return result;
 }
 
-TEST(Dilate, MarksBlocksWithinReach) {
+TEST(DilatedBlocks, AreTheBlocksWithinReachOfMarkedBlocks) {
   for (const Eigen::Vector3i& size : sizes_of_grids()) {
     const BlockGrid grid = grid_of_blocks(size);
     for (int reach = 0; reach <= 3; ++reach) {
@@ -103,7 +103,7 @@ TEST(Dilate, MarksBlocksWithinReach) {
   }
 }
 
-TEST(DilateDown, MarksBlocksBelowMarkedOnesAlongAnyAxes) {
+TEST(DilateDown, MarksTheLowerNeighboursOfMarkedBlocks) {
   for (const Eigen::Vector3i& size : sizes_of_grids()) {
     const BlockGrid grid = grid_of_blocks(size);
     for (std::uint64_t seed = 0; seed < 8; ++seed) {

@@ -41,7 +41,7 @@ struct LiteralCells {
   }
 };
 
-TEST(CellsAround, AreTheEightAroundAPoint) {
+TEST(CellsAround, AreTheEightCellsAroundAPoint) {
   const Exterior torus(test::torus(1, 0.4, 40, 20), 0.1, 0.025);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> coordinate(0, 1);
@@ -64,7 +64,7 @@ TEST(CellsAround, AreTheEightAroundAPoint) {
   EXPECT_GT(partly, 100);
 }
 
-TEST(CellsAround, AreConnectedOutsideTheOffsetSolid) {
+TEST(CellsAround, AreConnectedOnlyOutsideTheOffsetSolid) {
   const double r = 0.1;
   const Exterior wall(test::box({2, 2, 0.01}, 10), r, 0.025);
   const auto connected = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

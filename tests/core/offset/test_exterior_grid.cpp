@@ -36,7 +36,7 @@ struct Flooded {
   ExteriorGrid exterior;
 };
 
-TEST(ExteriorGrid, OfASphereStartsBeyondTheOffset) {
+TEST(ExteriorGrid, OfASphereBeginsBeyondTheOffset) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const std::vector<bool> cells = exterior_cells(flooded.exterior);
@@ -56,7 +56,7 @@ TEST(ExteriorGrid, OfASphereStartsBeyondTheOffset) {
   }
 }
 
-TEST(ExteriorGrid, HasTheNearestTriangleOfCellsAroundTheOffsetSurface) {
+TEST(ExteriorGrid, StoresTheNearestTriangleOfCellsNearTheOffsetSurface) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const Points directions = test::sphere(1, 5).vertices;
@@ -78,7 +78,7 @@ Shape open_box(Eigen::Index axis, double side) {
   return box;
 }
 
-TEST(ExteriorGrid, FillsABoxToTheBottomFromEachSide) {
+TEST(ExteriorGrid, FillsAnOpenBoxToItsBottomFromEachSide) {
   for (const double r : {0.2, 0.23, 0.26}) {
     for (int side = 0; side < 6; ++side) {
       const Shape box = open_box(side / 2, side % 2 == 0 ? -1 : 1);
@@ -117,7 +117,7 @@ bool is_exterior_cell(const ExteriorGrid& exterior, const Eigen::Vector3i& cell)
   return (exterior.exterior_cells(grid.block_index(in_grid / block_edge)) >> bit & 1U) != 0;
 }
 
-TEST(ExteriorGrid, CubesHaveAnExteriorCorner) {
+TEST(ExteriorGrid, ListsTheCubesWithAnExteriorCorner) {
   const double r = 0.1;
   const Shape torus = test::torus(1, 0.4, 40, 20);
   const BlockGrid grid(bounding_box(torus), r, r / 3);

@@ -48,7 +48,7 @@ std::vector<std::uint8_t> random_blocks(const BlockGrid& grid, unsigned seed, do
   return marked;
 }
 
-TEST(FarBlocks, MatchABreadthFirstSearch) {
+TEST(FarBlocks, AreTheBlocksReachedByABreadthFirstSearch) {
   const BlockGrid grid = long_grid();
   ASSERT_GT(grid.blocks.x(), BlockRows::bits);
   for (unsigned seed = 0; seed < 30; ++seed) {
@@ -62,7 +62,7 @@ TEST(FarBlocks, MatchABreadthFirstSearch) {
   }
 }
 
-TEST(FarBlocks, MarkTheCellsAtTheirSides) {
+TEST(FarBlocks, MarkTheCellsOfABlockThatTouchFarBlocks) {
   const BlockGrid grid = long_grid();
   const std::vector<std::uint8_t> near_surface = random_blocks(grid, 1, 0.5);
   const FarBlocks far(grid, near_surface);

@@ -12,7 +12,7 @@ namespace {
 /// A sphere whose bounding box has a diagonal of 1.
 Shape unit_sphere() { return test::sphere(0.5 / std::sqrt(3), 3); }
 
-TEST(GridLayout, HasTheRequestedCellsWithinTheMemoryLimit) {
+TEST(GridLayout, HasTheRequestedNumberOfCellsWithinTheMemoryLimit) {
   const Shape shape = unit_sphere();
   const GridLayout layout = choose_grid_layout(shape, bounding_box(shape), 0.05, 4);
   EXPECT_EQ(layout.offset, 0.05);

@@ -15,7 +15,7 @@ Eigen::Vector3d point_at(const GridPoints& points, std::size_t i) {
   return Eigen::Vector3f(points.x[i], points.y[i], points.z[i]).cast<double>();
 }
 
-TEST(GridSurface, SamplesTrianglesAtTheSpacing) {
+TEST(GridSurface, SamplesTrianglesAtTheRequestedSpacing) {
   const Shape torus = test::torus(1, 0.4, 12, 9);
   const BlockGrid grid(bounding_box(torus), 0.3, 0.1);
   const double spacing = 0.75;
@@ -88,7 +88,7 @@ TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
   }
 }
 
-TEST(GridSurface, GroupsAreSmallWithTightBoxes) {
+TEST(GridSurface, GroupsOfPointsHaveSmallTightBoxes) {
   const Shape torus = test::torus(1, 0.4, 150, 100);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.2 / 3);
   const GridSurface surface(grid, torus, 0.75, false);

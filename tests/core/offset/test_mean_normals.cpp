@@ -24,7 +24,7 @@ Points means_at(const Shape& shape, const Samples& samples) {
   return result;
 }
 
-TEST(MeanNormals, OfAPlaneIsItsNormalForAnyOrientationOfFaces) {
+TEST(MeanNormals, OfAPlaneAreItsNormalForAnyOrientationOfFaces) {
   Shape box = test::box({2, 2, 2}, 6);
   for (Eigen::Index f = 0; f < box.triangles.rows(); f += 3) std::swap(box.triangles(f, 0), box.triangles(f, 1));
   const Samples samples = sample_shape(box, SampleSite::faces);
@@ -39,7 +39,7 @@ TEST(MeanNormals, OfAPlaneIsItsNormalForAnyOrientationOfFaces) {
   EXPECT_GT(inner, 50);
 }
 
-TEST(MeanNormals, OfASphereMatchesTheIntegral) {
+TEST(MeanNormals, OfASphereMatchTheIntegral) {
   // Within a small angle a of the pole the mean of cos^2, weighted by (1 - (t/a)^2)^2, is 1 - a^2/4 to second order; a
   // is r/2, and the mean is taken twice.
   const Shape sphere = test::sphere(1, 5);
@@ -51,7 +51,7 @@ TEST(MeanNormals, OfASphereMatchesTheIntegral) {
   }
 }
 
-TEST(MeanNormals, LieBetweenANoisyNormalAndTheTrueOne) {
+TEST(MeanNormals, OfANoisyPlaneLieBetweenTheNoisyAndTheTrueNormal) {
   Shape plane = test::box({2, 2, 0.5}, 40);
   RandomNumbers random(3, 0);
   for (Eigen::Index v = 0; v < plane.vertices.rows(); ++v) plane.vertices(v, 2) += random.uniform(-0.015, 0.015);
@@ -87,7 +87,7 @@ Eigen::Vector3d literal_mean(const BlockGrid& grid, const Shape& shape, const Gr
   return sum * (sum * n) / (weights * weights);
 }
 
-TEST(MeanNormals, MatchTheSumOverAllPoints) {
+TEST(MeanNormals, MatchTheWeightedSumOverAllPoints) {
   RandomNumbers random(4, 0);
   // Most triangles have one point, and several.
   for (const Shape& shape : {test::torus(1, 0.4, 120, 60), test::torus(1, 0.4, 15, 10)}) {

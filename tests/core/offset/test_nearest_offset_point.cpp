@@ -102,7 +102,7 @@ TEST(NearestOffsetPoint, ConvergesAroundCorners) {
   }
 }
 
-TEST(NearestOffsetPoint, IsAbandonedNearAKnownResult) {
+TEST(NearestOffsetPoint, SearchStopsEarlyNearAKnownResult) {
   const Shape cube = test::box({1, 1, 1}, 1);
   const double r = 0.2;
   const TaskGrid grids(cube, r);

@@ -57,7 +57,7 @@ std::vector<OffsetDepthTask> places_about(const DepthGrid& of) {
   return tasks;
 }
 
-TEST(OffsetDepth, FollowsFromTheDistanceToTheSurface) {
+TEST(OffsetDepth, MatchesTheDistanceToTheSurface) {
   const DepthGrid of(test::torus(1, 0.4, 60, 40));
   std::vector<OffsetDepthTask> tasks = places_about(of);
   of.solve(tasks);
@@ -86,7 +86,7 @@ TEST(OffsetDepth, IsOneWithoutATriangleNearby) {
   EXPECT_EQ(tasks[0].depth, 1);
 }
 
-TEST(OffsetDepth, IsLargeInsideAWall) {
+TEST(OffsetDepth, IsLargeInTheMiddleOfAWall) {
   const DepthGrid of(test::joined({test::sphere(1, 4), test::flipped(test::sphere(0.85, 4))}));
   std::vector<OffsetDepthTask> tasks{{.x = of.grid.to_cells({0.92, 0, 0})}};
   of.solve(tasks);

@@ -73,7 +73,7 @@ TEST(OffsetExit, OfASphereIsOnItsOffsetSphere) {
   }
 }
 
-TEST(OffsetExit, AlongAxesAndDiagonals) {
+TEST(OffsetExit, MatchesTheExactExitAlongAxesAndDiagonals) {
   // Directions with zeros; from all sides of a cube, whose exits are known.
   const double r = 0.2;
   const ExitOf exit(test::box({2, 2, 2}, 4), r);
@@ -101,7 +101,7 @@ double distance_to_mesh(const Shape& mesh, const Eigen::Vector3d& x) {
   return nearest;
 }
 
-TEST(OffsetExit, OfAConvexShapeIsWhereTheDistanceReachesTheOffset) {
+TEST(OffsetExit, OfAConvexShapeIsThePointAtTheOffsetDistance) {
   const double r = 0.15;
   const Shape box = test::transformed(test::box({1, 0.7, 0.4}, 2), 1, test::rotation(3), {5, -2, 1});
   const ExitOf exit(box, r);
@@ -173,7 +173,7 @@ TEST(OffsetExit, CrossesVoidsAndNarrowGaps) {
   }
 }
 
-TEST(OffsetExit, OfAPointCloudIsWhereTheRayLeavesItsBalls) {
+TEST(OffsetExit, OfAPointCloudIsThePointAtWhichTheRayLeavesAllBalls) {
   const double r = 0.3;
   const Shape cloud{Points{{0, 0, 0}, {0.4, 0, 0}, {2, 0, 0}}, {}, {}};
   const ExitOf exit(cloud, r);

@@ -51,7 +51,7 @@ std::vector<std::vector<std::uint32_t>> sites_by_block(const SiteGrid& all) {
   for (std::size_t block = 0; block < numbers.size(); ++block) {
     const OffsetSites::BlockSites found = all.sites.sites_of_block(block);
     for (std::size_t i = found.begin; i < found.end; ++i) {
-      numbers[block].push_back(found.number_before + static_cast<std::uint32_t>(i));
+      numbers[block].push_back(found.first_site_number + static_cast<std::uint32_t>(i));
     }
   }
   return numbers;
@@ -77,7 +77,7 @@ TEST(OffsetSites, AreOnTheOffsetSurface) {
   }
 }
 
-TEST(OffsetSites, MatchTheExteriorCellsInTheBand) {
+TEST(OffsetSites, AreTheExteriorCellsInTheBand) {
   const SiteGrid all(test::box({1, 0.8, 0.6}, 1), 0.2);
   const std::vector<std::vector<std::uint32_t>> numbers = sites_by_block(all);
   const double r = all.grid.r;
@@ -118,7 +118,7 @@ TEST(OffsetSites, OfASphereFillTheShell) {
   EXPECT_NEAR(static_cast<double>(all_sites(all).size()) / volume, 1, 0.02);
 }
 
-TEST(OffsetSites, OccupiedCubesContainSites) {
+TEST(OffsetSites, CubesMarkedOccupiedContainSites) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.07);
   const std::vector<std::vector<std::uint32_t>> numbers = sites_by_block(all);
   const Eigen::Vector3i cubes = all.sites.cubes;
@@ -164,7 +164,7 @@ double nearest_site(const SiteGrid& all, const std::vector<std::uint32_t>& numbe
   return nearest;
 }
 
-TEST(NearbySites, FindTheNearestOfAllSites) {
+TEST(NearbySites, DistanceToTheNearestMatchesExhaustiveSearch) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.07);
   const std::vector<std::uint32_t> numbers = all_sites(all);
   NearbySites nearby(all.exterior, all.sites);
@@ -175,7 +175,7 @@ TEST(NearbySites, FindTheNearestOfAllSites) {
   }
 }
 
-TEST(NearbySites, WithoutSitesTheDistanceIsInfinite) {
+TEST(NearbySites, DistanceIsInfiniteIfThereAreNoSites) {
   const SiteGrid none(test::sphere(1, 2), 0.2, -1);
   ASSERT_TRUE(all_sites(none).empty());
   NearbySites nearby(none.exterior, none.sites);
@@ -185,7 +185,7 @@ TEST(NearbySites, WithoutSitesTheDistanceIsInfinite) {
     EXPECT_EQ(distance, std::numeric_limits<double>::infinity());
   }
   std::vector<NearbySites::Site> starts{{1, 1}};
-  nearby.start_sites(0, 1, 1, 10, starts);
+  nearby.find_start_sites(0, 1, 1, 10, starts);
   EXPECT_TRUE(starts.empty());
 }
 
@@ -212,7 +212,7 @@ TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
     }
     // All of them, not the nearest alone; of sites at one place the first.
     std::vector<NearbySites::Site> found;
-    nearby.start_sites(0, 1e6, 0, numbers.size(), found);
+    nearby.find_start_sites(0, 1e6, 0, numbers.size(), found);
     std::set<std::array<double, 3>> collected;
     const auto key = [&](std::uint32_t site) {
       const Eigen::Vector3d at = all.sites.position(site);
@@ -226,7 +226,7 @@ TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
   }
 }
 
-TEST(NearbySites, StartsAreTheNearestDistantSites) {
+TEST(NearbySites, StartSitesAreNearThePointAndFarFromEachOther) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.1);
   const std::vector<std::uint32_t> numbers = all_sites(all);
   NearbySites nearby(all.exterior, all.sites);
@@ -241,7 +241,7 @@ TEST(NearbySites, StartsAreTheNearestDistantSites) {
       for (const double apart : {0.5, 3.0}) {
         constexpr std::size_t max_count = 40;
         std::vector<NearbySites::Site> starts;
-        nearby.start_sites(1, margin, apart, max_count, starts);
+        nearby.find_start_sites(1, margin, apart, max_count, starts);
         ASSERT_FALSE(starts.empty());
         ASSERT_LE(starts.size(), max_count);
         most = std::max(most, starts.size());

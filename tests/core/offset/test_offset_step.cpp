@@ -43,7 +43,7 @@ Projection<float> project(const ProjectionProblem& problem) {
   std::array<HalfSpace<float>, max_contacts> half_spaces;
   for (std::size_t i = 0; i < max_contacts; ++i) {
     const float height =
-        problem.normals[i].isZero() ? HWY_NAMESPACE::no_height : static_cast<float>(problem.heights[i]);
+        problem.normals[i].isZero() ? HWY_NAMESPACE::unbounded_height : static_cast<float>(problem.heights[i]);
     half_spaces[i] = {to_floats(problem.normals[i]), height};
   }
   return HWY_NAMESPACE::Projector<float>(half_spaces).find();
@@ -163,7 +163,7 @@ TEST(HalfSpaceProjection, IsTheNearestPointOfTheIntersection) {
   for (const int count : counts) EXPECT_GT(count, 100) << "of each number of active half-spaces";
 }
 
-TEST(HalfSpaceProjection, IsTheSumOfPushesAlongNormals) {
+TEST(HalfSpaceProjection, IsANonNegativeCombinationOfActiveNormals) {
   for (const ProjectionProblem& problem : solvable_problems(1000)) {
     const Projection<float> found = project(problem);
     if (!found.is_found || found.count > 2) continue;
@@ -181,7 +181,7 @@ TEST(HalfSpaceProjection, IsTheSumOfPushesAlongNormals) {
   }
 }
 
-TEST(HalfSpaceProjection, OfEmptyIntersectionsIsNotFound) {
+TEST(HalfSpaceProjection, IsNotFoundForEmptyIntersections) {
   RandomNumbers random(2);
   int empty = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -197,7 +197,7 @@ TEST(HalfSpaceProjection, OfEmptyIntersectionsIsNotFound) {
   EXPECT_GT(empty, 100);
 }
 
-TEST(HalfSpaceProjection, ByHand) {
+TEST(HalfSpaceProjection, MatchesCasesComputedByHand) {
   std::vector<ProjectionProblem> problems(5, no_half_spaces());
   problems[1].normals[2] = {0, 0.6, 0.8};
   problems[1].heights[2] = -1;  // contains the origin
@@ -265,7 +265,7 @@ double angle_after_step(const std::vector<Eigen::Vector3d>& centres, const Eigen
   return std::atan2(x.cross(direction).norm(), x.dot(direction));
 }
 
-TEST(CurvatureCorrection, LeadsStraightToQAroundCornersAndAcrossEdges) {
+TEST(CurvatureCorrection, ReachesTheSolutionInOneStepAroundCornersAndEdges) {
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   EXPECT_LT(angle_after_step({none}, none, 2), 1e-5) << "corner";
   EXPECT_LT(angle_after_step({none}, Eigen::Vector3d::UnitZ(), 2), 1e-5) << "edge";

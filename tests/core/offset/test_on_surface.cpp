@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(OnSurface, HoldsForSamplesOnly) {
+TEST(OnSurfaceCheck, AcceptsSamplesAndRejectsPointsOffTheSurface) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.05);
   const GridSurface surface(grid, torus, 1, false);
@@ -29,7 +29,7 @@ TEST(OnSurface, HoldsForSamplesOnly) {
   }
 }
 
-TEST(OnSurface, FindsTheTriangleOfASampleOnASliver) {
+TEST(OnSurfaceCheck, FindsTheTriangleOfASampleOnASliver) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices.conservativeResize(11, 3);
   shape.vertices.bottomRows(3) << 0, 0, 2, 0.35, 0, 2, 0.1, 1e-9, 2;
@@ -43,7 +43,7 @@ TEST(OnSurface, FindsTheTriangleOfASampleOnASliver) {
   EXPECT_TRUE(is_on_surface(exterior, shape, grid.to_cells(centroid), 12, nearby));
 }
 
-TEST(LikelyTriangles, AreTheFacesOrIncidentTriangles) {
+TEST(LikelyTriangles, OfASampleAreItsFaceOrATriangleAtItsVertex) {
   const Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}},
                     .triangles = Triangles{{0, 1, 2}, {2, 1, 3}}};
   EXPECT_THAT(likely_triangles(shape, 2), ElementsAre(0, 1));

@@ -43,7 +43,7 @@ std::vector<Surface> surfaces() {
   return {{test::torus(1, 0.4, 120, 60), 0.2}, {test::torus(1, 0.4, 15, 10), 0.2}, {sparse_cloud(), 0.2}};
 }
 
-TEST(PointSearch, FindsThePointsWithinADistance) {
+TEST(PointSearch, FindsAllPointsWithinADistance) {
   RandomNumbers random(1);
   for (const Surface& of : surfaces()) {
     for (int round = 0; round < 300; ++round) {
@@ -134,14 +134,14 @@ TEST(ClosestTriangles, TiesGoToTheLowestIndexForEveryVectorWidth) {
   }
 }
 
-TEST(ClosestTriangles, AreNoneForNonFinitePoints) {
+TEST(ClosestTriangles, AreNotFoundForNonFinitePoints) {
   const Surface of(test::sphere(1, 4), 0.2);
   ClosestTriangles closest(of.grid, of.surface);
   const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(closest.closest_near(of.point(0), nowhere), -1);
 }
 
-TEST(ClosestTriangles, AreNoneFarFromTheSurface) {
+TEST(ClosestTriangles, AreNotFoundFarFromTheSurface) {
   const Surface of(test::sphere(1, 4), 0.1);
   ClosestTriangles closest(of.grid, of.surface);
   const Eigen::Vector3d middle = of.grid.to_cells({0, 0, 0});

@@ -70,7 +70,7 @@ TEST(TriangleTable, MatchesTheClosestPointInDoublePrecision) {
   }
 }
 
-TEST(TriangleTable, VectorsToEachUsesOnePointPerTriangle) {
+TEST(TriangleTable, ComputesTheVectorsToTheClosestPointsOfTriangles) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(8);
   TriangleTable table;
   table.resize(triangles.size());

@@ -21,7 +21,7 @@ void expect_valid(const Shape& mesh) {
   EXPECT_GT(triangle_areas(mesh).minCoeff(), 0);
 }
 
-TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
+TEST(Decimate, KeepsASphereClosedRoundAndOutward) {
   const Shape sphere = test::sphere(1, 5);  // 20480 faces
   const Shape coarse = decimate(sphere, 1000);
   expect_valid(coarse);
@@ -47,7 +47,7 @@ TEST(Decimate, KeepsVolumeAndAreaOfABox) {
   EXPECT_NEAR(surface_area(coarse), 22, 1e-12);
 }
 
-TEST(Decimate, AnOpenPlateKeepsItsRim) {
+TEST(Decimate, KeepsTheRimOfAnOpenPlate) {
   Shape plate = test::box({1, 2, 0}, 10);
   Eigen::Index side = 0;  // one of the sides of the flat box
   const Eigen::VectorXd areas = triangle_areas(plate);
@@ -60,7 +60,7 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
   EXPECT_NEAR(surface_area(coarse), 2, 1e-12);
 }
 
-TEST(Decimate, WeldsSoups) {
+TEST(Decimate, WeldsTheVerticesOfATriangleSoup) {
   const Shape sphere = test::sphere(1, 3);
   const Shape coarse = decimate(test::soup(sphere), 200);
   EXPECT_TRUE(is_closed(coarse));
@@ -91,7 +91,7 @@ TEST(Decimate, KeepsTouchingSurfacesClosed) {
   EXPECT_NEAR(signed_volume(coarse), 2, 1e-12);
 }
 
-TEST(Decimate, WorksOnBrokenMeshes) {
+TEST(Decimate, SimplifiesMeshesWithMissingFaces) {
   RandomNumbers random(1);
   const Shape broken = remove_faces(test::sphere(1, 4), 0.15, random);
   const Shape coarse = decimate(broken, 1500);
@@ -111,7 +111,7 @@ TEST(Decimate, ReturnsSmallMeshesUnchanged) {
   EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
 }
 
-TEST(Decimate, RejectsInvalidOptions) {
+TEST(Decimate, RejectsCloudsEmptyShapesAndTooFewFaces) {
   const Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   EXPECT_THROW(decimate(cloud, 100), InputError);
   EXPECT_THROW(decimate(Shape{}, 100), InputError);

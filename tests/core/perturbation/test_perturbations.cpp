@@ -47,7 +47,7 @@ TEST(PointInUnitBall, IsUniformInTheBall) {
   EXPECT_NEAR(in_half_radius / static_cast<double>(draws), 0.125, 0.0053);
 }
 
-TEST(UniformRotation, IsUniform) {
+TEST(UniformRotation, IsUniformOverAllRotations) {
   RandomNumbers random(5);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -65,7 +65,7 @@ TEST(UniformRotation, IsUniform) {
   EXPECT_LT((squares / draws - Eigen::Matrix3d::Constant(1. / 3)).cwiseAbs().maxCoeff(), 0.0048);
 }
 
-TEST(RandomSelection, HasTheRoundedSize) {
+TEST(RandomSelection, HasTheRoundedFractionOfTheSize) {
   RandomNumbers random(1);
   for (const auto& [count, fraction, expected] : {std::tuple{10, 0.0, 0},
                                                   {10, 1.0, 10},
@@ -79,14 +79,14 @@ TEST(RandomSelection, HasTheRoundedSize) {
   }
 }
 
-TEST(RandomSelection, RejectsInvalidFractions) {
+TEST(RandomSelection, RejectsFractionsOutOfRange) {
   RandomNumbers random(1);
   for (const double fraction : {-0.1, 1.1, std::nan("")}) {
     EXPECT_THROW(random_selection(10, fraction, random), InputError);
   }
 }
 
-TEST(WithoutElements, KeepsOrderAndVerticesOfAMesh) {
+TEST(ElementRemoval, KeepsTheOrderOfTrianglesAndAllVertices) {
   const Shape box = test::box({1, 1, 1}, 1);
   std::vector<bool> removed(12);
   removed[0] = removed[5] = true;
@@ -97,7 +97,7 @@ TEST(WithoutElements, KeepsOrderAndVerticesOfAMesh) {
   EXPECT_EQ(rest.vertices, box.vertices);
 }
 
-TEST(WithoutElements, RemovesNormalsWithTheirPoints) {
+TEST(ElementRemoval, RemovesNormalsWithTheirPoints) {
   Shape cloud{.vertices = Points::Random(3, 3), .triangles = {}};
   cloud.normals = Points::Random(3, 3);
   const Shape rest = without_elements(cloud, {false, true, false});
@@ -106,7 +106,7 @@ TEST(WithoutElements, RemovesNormalsWithTheirPoints) {
   EXPECT_EQ(rest.normals.row(1), cloud.normals.row(2));
 }
 
-TEST(WithoutElements, KeepsAtLeastOneElement) {
+TEST(ElementRemoval, RefusesToRemoveAllElements) {
   EXPECT_THROW(without_elements(test::box({1, 1, 1}, 1), std::vector<bool>(12, true)), InputError);
   EXPECT_THROW(without_elements(Shape{}, {}), InputError);
 }
@@ -156,7 +156,7 @@ TEST(VertexNoise, MovesThePointsOfACloud) {
   EXPECT_GT(moves.rowwise().norm().minCoeff(), 0);
 }
 
-TEST(VertexNoise, RefusesAShapeWithoutExtentAndAnImpossibleAmplitude) {
+TEST(VertexNoise, RefusesAShapeWithoutExtentAndANegativeOrNonFiniteAmplitude) {
   const Shape point{.vertices = Points::Ones(5, 3), .triangles = {}};
   EXPECT_THROW(noisy(point, {}, 1), InputError);
   EXPECT_THROW(noisy(Shape{}, {}, 1), InputError);
@@ -170,7 +170,7 @@ Shape thinned(const Shape& shape, double fraction, std::uint64_t seed) {
   return remove_faces(shape, fraction, random);
 }
 
-TEST(RemoveFaces, RemovesTheRoundedNumber) {
+TEST(RemoveFaces, RemovesTheRoundedFractionOfFaces) {
   const Shape sphere = test::sphere(1, 3);  // 1280 faces
   EXPECT_EQ(thinned(sphere, 0.15, 1).triangles.rows(), 1280 - 192);
   EXPECT_EQ(thinned(sphere, 0, 1).triangles, sphere.triangles);
@@ -185,7 +185,7 @@ TEST(RemoveFaces, RemovesThePointsOfACloud) {
   EXPECT_EQ(thinned(cloud, 0.5, 1).vertices.rows(), 81);
 }
 
-TEST(RemoveFaces, LeavesAtLeastOne) {
+TEST(RemoveFaces, LeavesAtLeastOneFace) {
   EXPECT_THROW(thinned(test::box({1, 1, 1}, 1), 1, 1), InputError);
   EXPECT_THROW(thinned(test::box({1, 1, 1}, 1), -0.5, 1), InputError);
   EXPECT_THROW(thinned(Shape{}, 0, 1), InputError);
@@ -196,7 +196,7 @@ Shape turned(const Shape& shape, double fraction, std::uint64_t seed) {
   return flip_orientation(shape, fraction, random);
 }
 
-TEST(FlipOrientation, ReversesExactlyTheFraction) {
+TEST(FlipOrientation, ReversesExactlyTheRequestedFractionOfFaces) {
   const Shape sphere = test::sphere(1, 3);
   const Points before = sample_shape(sphere, SampleSite::faces).normals;
   for (const auto& [fraction, expected] : {std::pair{0.0, 0}, {0.25, 320}, {1.0, 1280}}) {
@@ -215,14 +215,14 @@ TEST(FlipOrientation, ReversesTheNormalsOfACloud) {
   EXPECT_EQ(turned(cloud, 1, 1).normals, -cloud.vertices);
 }
 
-TEST(FlipOrientation, RejectsInvalidFractions) { EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError); }
+TEST(FlipOrientation, RejectsFractionsOutOfRange) { EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError); }
 
 Shape punched(const Shape& shape, const PunchHolesOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);
   return punch_holes(shape, options, random);
 }
 
-TEST(PunchHoles, AHoleInASphereIsACapOfItsRadius) {
+TEST(PunchHoles, RemovesACapOfTheHoleRadiusFromASphere) {
   const Shape sphere = test::sphere(1, 6);
   const double radius = 0.1 * bounding_box_diagonal(sphere);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -232,7 +232,7 @@ TEST(PunchHoles, AHoleInASphereIsACapOfItsRadius) {
   }
 }
 
-TEST(PunchHoles, HolesAddUpAndDependOnTheSeed) {
+TEST(PunchHoles, RemovesMoreFacesForMoreHolesAndDependsOnTheSeed) {
   const Shape sphere = test::sphere(1, 4);
   EXPECT_EQ(punched(sphere, {.number = 0}, 1).triangles, sphere.triangles);
   const Eigen::Index one = punched(sphere, {.number = 1}, 1).triangles.rows();
@@ -245,13 +245,13 @@ TEST(PunchHoles, HolesAddUpAndDependOnTheSeed) {
   EXPECT_TRUE(first.rows() != second.rows() || first != second);
 }
 
-TEST(PunchHoles, RemovesPointsOfACloudAboutSomeOfThem) {
+TEST(PunchHoles, RemovesThePointsOfACloudWithinEachHole) {
   const Shape cloud{.vertices = test::sphere(1, 3).vertices, .triangles = {}};
   const Shape rest = punched(cloud, {.number = 3, .radius = 0}, 1);
   EXPECT_EQ(rest.vertices.rows(), cloud.vertices.rows() - 3);
 }
 
-TEST(PunchHoles, RefusesToLeaveNothingAndOptionsOutOfRange) {
+TEST(PunchHoles, RefusesToRemoveAllFacesAndOptionsOutOfRange) {
   const Shape box = test::box({1, 1, 1}, 2);
   EXPECT_THROW(punched(box, {.number = 1, .radius = 1}, 1), InputError);
   EXPECT_THROW(punched(box, {.number = 1, .radius = 1.5}, 1), InputError);
@@ -267,7 +267,7 @@ Shape moved(const Shape& shape, double scale, std::uint64_t seed) {
   return random_motion(shape, scale, random);
 }
 
-TEST(RandomMotion, IsASimilarityThatKeepsHandedness) {
+TEST(RandomMotion, IsASimilarityWithoutReflection) {
   const Shape corner{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = {}};
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Shape other = moved(corner, 10, seed);
@@ -287,7 +287,7 @@ TEST(RandomMotion, IsASimilarityThatKeepsHandedness) {
   }
 }
 
-TEST(RandomMotion, ScalesAreLogUniform) {
+TEST(RandomMotion, ScalesLogUniformly) {
   const Shape box = test::box({1, 1, 1}, 1);
   constexpr int n = 2000;
   double sum = 0;
@@ -301,7 +301,7 @@ TEST(RandomMotion, ScalesAreLogUniform) {
   EXPECT_NEAR(squares / n, 1. / 3, 5 * std::sqrt(4. / 45 / n));
 }
 
-TEST(RandomMotion, WithoutScalingMovesByAtMostTheDiagonal) {
+TEST(RandomMotion, MovesByAtMostTheDiagonalWithoutScaling) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Shape other = moved(box, 1, seed);

@@ -38,7 +38,7 @@ TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {
   EXPECT_NEAR(near_end, 4000, 4 * std::sqrt(28000 * 1. / 7 * 6. / 7));
 }
 
-TEST(SampleSurface, IsStratified) {
+TEST(SampleSurface, StratifiesSamplesByArea) {
   // 1280 triangles of nearly equal area, two points each: independent sampling would miss one in seven.
   const Shape sphere = test::sphere(1, 3);
   const Shape cloud = sampled(sphere, {.points = 2560, .with_normals = true}, 1);
@@ -49,7 +49,7 @@ TEST(SampleSurface, IsStratified) {
   EXPECT_GT(different, 1200);
 }
 
-TEST(SampleSurface, NormalsAreThoseOfTheTriangles) {
+TEST(SampleSurface, GivesPointsTheNormalsOfTheirTriangles) {
   const Shape cloud = sampled(test::sphere(2, 4), {.points = 1000, .with_normals = true}, 1);
   ASSERT_EQ(cloud.normals.rows(), 1000);
   for (Eigen::Index i = 0; i < 1000; ++i) {
@@ -58,7 +58,7 @@ TEST(SampleSurface, NormalsAreThoseOfTheTriangles) {
   }
 }
 
-TEST(SampleSurface, DependsOnTheSeedAndNotOnSize) {
+TEST(SampleSurface, DependsOnTheSeedAndNotOnTheSizeOfTheShape) {
   const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_EQ(sampled(box, {.points = 100}, 1).vertices, sampled(box, {.points = 100}, 1).vertices);
   EXPECT_NE(sampled(box, {.points = 100}, 1).vertices, sampled(box, {.points = 100}, 2).vertices);
@@ -75,7 +75,7 @@ TEST(SampleSurface, SkipsDegenerateTriangles) {
   EXPECT_TRUE(sampled(shape, {.points = 1000, .with_normals = true}, 1).normals.rowwise().norm().minCoeff() > 0.99);
 }
 
-TEST(SampleSurface, SelectsPointsOfACloud) {
+TEST(SampleSurface, SelectsASubsetOfThePointsOfACloud) {
   Shape cloud{.vertices = test::sphere(1, 3).vertices, .triangles = {}};
   cloud.normals = cloud.vertices;
   const Shape fewer = sampled(cloud, {.points = 101, .with_normals = true}, 1);
@@ -91,7 +91,7 @@ TEST(SampleSurface, RejectsShapesWithoutArea) {
   EXPECT_THROW(sampled(test::box({0, 0, 1}, 1), {}, 1), InputError);
 }
 
-TEST(VertexCloud, HasTheUsedVertices) {
+TEST(VertexCloud, ContainsOnlyTheVerticesUsedByTriangles) {
   Shape sphere = test::sphere(1, 1);
   const Points used = sphere.vertices;
   sphere.vertices.conservativeResize(used.rows() + 1, 3);

@@ -26,7 +26,7 @@ Shape applied(std::string_view name, const Settings& settings, const Shape& shap
 const Shape sphere = test::sphere(1, 3);
 
 /// The entries do what their functions do, with the settings in the right places.
-TEST(ShapePerturbations, CallTheFunctionsOfTheirNames) {
+TEST(ShapePerturbations, ApplyTheLibraryFunctionsOfTheirNames) {
   const auto expect_same = [](const Shape& a, const Shape& b) {
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
@@ -82,7 +82,7 @@ TEST(ShapePerturbations, HaveUniqueNamesAndDescriptions) {
 }
 
 /// Registry and function accept the same parameters.
-TEST(ShapePerturbations, FunctionsCheckTheBoundsOfTheRegistry) {
+TEST(ShapePerturbations, RejectParametersOutOfBounds) {
   RandomNumbers random(1);
   const Shape small = test::box({1, 1, 1}, 1);
   EXPECT_THROW(applied("vertex_noise", {{"amplitude", 1.001}}, small), InputError);

@@ -27,7 +27,7 @@ TEST(Cavities, ExcludeSolidsInsideSolids) {
   EXPECT_EQ(closed_components(test::joined({test::box({4, 4, 4}, 2), beside})).cavities, 0U);
 }
 
-TEST(Cavities, ReversedBodiesAreCountedAndAddToTheVolume) {
+TEST(Cavities, ExcludeReversedBodiesThatNoBodyEncloses) {
   const Shape small = test::transformed(test::box({1, 1, 1}, 1), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
   const Shape large = test::box({2, 2, 2}, 2);
   const ClosedComponents mixed = closed_components(test::joined({large, test::flipped(small)}));
@@ -38,7 +38,7 @@ TEST(Cavities, ReversedBodiesAreCountedAndAddToTheVolume) {
   EXPECT_DOUBLE_EQ(closed_components(test::joined({large, test::flipped(test::box({1, 1, 1}, 1))})).volume, 7);
 }
 
-TEST(Cavities, OpenMeshesAndCloudsHaveNone) {
+TEST(Cavities, AreNotFoundInOpenMeshesAndClouds) {
   Shape open = test::joined({test::box({4, 4, 4}, 2), test::flipped(test::sphere(1, 2))});
   open.triangles.conservativeResize(open.triangles.rows() - 1, Eigen::NoChange);
   EXPECT_EQ(closed_components(open).cavities, 0U);

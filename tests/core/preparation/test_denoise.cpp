@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 VertexNeighbours vertex_neighbours(const Shape& shape) { return vertex_neighbours(shape, welding_of(shape)); }
 
-TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
+TEST(VertexNeighbours, AreTheVerticesOfAdjacentTriangles) {
   const Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {9, 9, 9}, {1, 1, 0}, {0, 1, 0}},
                     .triangles = Triangles{{0, 1, 3}, {4, 3, 0}}};
   const VertexNeighbours neighbours = vertex_neighbours(shape);
@@ -30,13 +30,13 @@ TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
   EXPECT_THAT(neighbours.of(4), ElementsAre(0, 3));
 }
 
-TEST(VertexNeighbours, OfATorusAreSixEach) {
+TEST(VertexNeighbours, OfATorusAreSixPerVertex) {
   const Shape torus = test::torus(2, 0.7, 8, 12);
   const VertexNeighbours neighbours = vertex_neighbours(torus);
   for (Eigen::Index v = 0; v < torus.vertices.rows(); ++v) EXPECT_EQ(neighbours.of(v).size(), 6U) << v;
 }
 
-TEST(VertexNeighbours, OfASoupMatchItsMesh) {
+TEST(VertexNeighbours, OfATriangleSoupMatchItsWeldedMesh) {
   const Shape torus = test::torus(2, 0.7, 8, 12);
   const Shape soup = test::soup(torus);
   const VertexNeighbours expected = vertex_neighbours(torus);
@@ -49,14 +49,14 @@ TEST(VertexNeighbours, OfASoupMatchItsMesh) {
   }
 }
 
-TEST(VertexNeighbours, CloudsAndEmptyShapesHaveNone) {
+TEST(VertexNeighbours, AreEmptyForCloudsAndEmptyShapes) {
   const Shape cloud{test::sphere(1, 1).vertices, {}};
   const VertexNeighbours neighbours = vertex_neighbours(cloud);
   for (Eigen::Index v = 0; v < cloud.vertices.rows(); ++v) EXPECT_THAT(neighbours.of(v), IsEmpty());
   EXPECT_THAT(vertex_neighbours({}).neighbours, IsEmpty());
 }
 
-TEST(Denoise, RefusesATriangleWithoutVertices) {
+TEST(Denoise, RefusesATriangleWithAnInvalidIndex) {
   Shape shape = test::sphere(1, 0);
   shape.triangles(3, 1) = 12;
   EXPECT_THROW(denoised(shape), InputError);
@@ -83,7 +83,7 @@ Shape with_isotropic_noise(const Shape& shape, double deviation) {
       random);
 }
 
-TEST(NoiseLevel, MatchesTheNoiseOfASphere) {
+TEST(NoiseLevel, MatchesTheNoiseAddedToASphere) {
   // The estimate's own error: 1.2 / sqrt(n), 1 % here; what the smoothing keeps of the noise lowers it by some per
   // cent. An edge is 0.038 long.
   const Shape sphere = test::sphere(1, 5);
@@ -98,7 +98,7 @@ TEST(NoiseLevel, MatchesTheNoiseOfASphere) {
   }
 }
 
-TEST(NoiseLevel, FindsNoNoiseOnCleanShapes) {
+TEST(NoiseLevel, IsZeroOnCleanShapes) {
   const std::vector<Shape> clean = {
       test::sphere(1, 3),
       test::sphere(1, 5),
@@ -138,7 +138,7 @@ TEST(NoiseLevel, ScalesWithTheShapeAndIgnoresTranslation) {
   }
 }
 
-TEST(NoiseLevel, OfASoupMatchesItsMesh) {
+TEST(NoiseLevel, OfATriangleSoupMatchesItsWeldedMesh) {
   // Each vertex counts as often as it has triangles, six times as a rule.
   const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel mesh = level_of(noisy);
@@ -221,7 +221,7 @@ TEST(TaubinSmoothing, ScalesAWaveOnATorusMeshByTheTransferFunction) {
   }
 }
 
-TEST(TaubinSmoothing, KeepsFrequenciesOfThePassBandOnly) {
+TEST(TaubinSmoothing, KeepsOnlyFrequenciesOfThePassBand) {
   for (const double pass_band : {0.01, 0.02, 0.05, 0.1}) {
     for (int i = 0; i < 200; ++i) {
       const double k = 0.01 * i;
@@ -246,7 +246,7 @@ TEST(TaubinSmoothing, DoesNotShrinkASphere) {
   EXPECT_LT((smoothed - sphere.vertices).rowwise().norm().maxCoeff(), 1e-2);
 }
 
-TEST(TaubinSmoothing, KeepsIsolatedVerticesAndMovesCoincidentOnesTogether) {
+TEST(TaubinSmoothing, KeepsIsolatedVerticesAndMovesCoincidentVerticesTogether) {
   Shape soup = test::soup(test::box({1, 2, 3}, 3));
   soup.vertices.conservativeResize(soup.vertices.rows() + 1, 3);
   soup.vertices.bottomRows(1) << 0.1, 0.2, 0.3;
@@ -308,7 +308,7 @@ TEST(Denoise, KeepsCleanShapesAndCloudsUnchanged) {
   }
 }
 
-TEST(Denoise, MovesCoincidentVerticesOfASoupTogether) {
+TEST(Denoise, MovesCoincidentVerticesOfATriangleSoupTogether) {
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(test::sphere(1, 4), {.amplitude = 0.01}, random);
   const DenoisedShape mesh = denoised(noisy);

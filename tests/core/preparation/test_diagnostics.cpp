@@ -33,7 +33,7 @@ Shape with_triangle(Shape shape, int a, int b, int c) {
   return shape;
 }
 
-TEST(Diagnose, ACubeHasNoDefects) {
+TEST(Diagnose, FindsNoDefectsInACube) {
   const ShapeDiagnostics found = diagnose(cube());
   EXPECT_TRUE(found.closed);
   EXPECT_EQ(found.vertices, 8U);
@@ -48,7 +48,7 @@ TEST(Diagnose, ACubeHasNoDefects) {
   EXPECT_EQ(found.degenerate_triangles + found.duplicate_triangles, 0U);
 }
 
-TEST(Diagnose, ACubeWithoutASideHasItsRimAsBoundary) {
+TEST(Diagnose, FindsTheRimOfAnOpenCubeAsBoundary) {
   Shape open = cube();
   open.triangles = open.triangles.bottomRows(10).eval();
   const ShapeDiagnostics found = diagnose(open);
@@ -61,7 +61,7 @@ TEST(Diagnose, ACubeWithoutASideHasItsRimAsBoundary) {
   EXPECT_DOUBLE_EQ(diagnose(open).boundary_length, 2 + std::sqrt(2));
 }
 
-TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
+TEST(Diagnose, CountsInconsistentEdgesOfAReversedTriangle) {
   Shape shape = cube();
   std::swap(shape.triangles(3, 0), shape.triangles(3, 1));
   EXPECT_EQ(diagnose(shape).inconsistent_edges, 3U);
@@ -82,7 +82,7 @@ TEST(Diagnose, ConnectsComponentsAtCoincidentVertices) {
   EXPECT_TRUE(touching.closed);
 }
 
-TEST(Diagnose, ThreeTrianglesAtAnEdgeAreNonManifold) {
+TEST(Diagnose, CountsAnEdgeOfThreeTrianglesAsNonManifold) {
   const Shape book{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
                    .triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
   const ShapeDiagnostics found = diagnose(book);
@@ -93,7 +93,7 @@ TEST(Diagnose, ThreeTrianglesAtAnEdgeAreNonManifold) {
   EXPECT_EQ(found.components, 1U);
 }
 
-TEST(Diagnose, AMoebiusStripCannotBeOriented) {
+TEST(Diagnose, ReportsAMoebiusStripAsNonOrientable) {
   const ShapeDiagnostics found = diagnose(test::twisted_band(20, 1));
   EXPECT_EQ(found.boundary_edges, 40U);
   EXPECT_EQ(found.inconsistent_edges, 1U);
@@ -101,7 +101,7 @@ TEST(Diagnose, AMoebiusStripCannotBeOriented) {
   EXPECT_EQ(found.edges, 80U) << "Euler characteristic 40 - 80 + 40 = 0";
 }
 
-TEST(Diagnose, AnInnerWallLeavesAMeshClosedButNonManifold) {
+TEST(Diagnose, ReportsAMeshWithAnInnerWallAsClosedButNonManifold) {
   // Two tetrahedra glued at a face; with that face kept, its edges have three triangles each.
   const Shape pair{.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                    .triangles = Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
@@ -132,7 +132,7 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_TRUE(diagnose(twice).closed);
 }
 
-TEST(Diagnose, IsInvariantToOrderAndSize) {
+TEST(Diagnose, DoesNotDependOnOrderAndSize) {
   const Shape broken = with_triangle(
       with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), test::twisted_band(9, 1)}), 0, 1, 2), 5,
       5, 9);
@@ -154,7 +154,7 @@ TEST(Diagnose, IsInvariantToOrderAndSize) {
   }
 }
 
-TEST(Diagnose, ACloudHasPointsOnly) {
+TEST(Diagnose, CountsOnlyThePointsOfACloud) {
   const Shape cloud{.vertices = Points{{0, 0, 0}, {3, 4, 0}, {0, 0, 0}}, .triangles = {}};
   const ShapeDiagnostics found = diagnose(cloud);
   EXPECT_EQ(found.vertices, 3U);

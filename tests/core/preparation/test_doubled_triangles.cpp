@@ -18,28 +18,29 @@ namespace shapegauge {
 
 namespace {
 
-using test::for_each_doubling;
+using test::for_each_variant_with_duplicates;
 
-TEST(DoubledTriangles, AreIgnoredByTheDiagnosis) {
-  for_each_doubling(diagnose, [](const ShapeDiagnostics& expected, const test::DoubledShape& doubled) {
-    const ShapeDiagnostics found = diagnose(doubled.shape);
-    EXPECT_EQ(found.triangles, doubled.triangles.size());
-    EXPECT_EQ(found.duplicate_triangles, doubled.triangles.size() - expected.triangles);
-    EXPECT_EQ(found.area, expected.area);
-    EXPECT_EQ(found.components, expected.components);
-    EXPECT_EQ(found.closed, expected.closed);
-    EXPECT_EQ(found.edges, expected.edges);
-    EXPECT_EQ(found.boundary_edges, expected.boundary_edges);
-    EXPECT_EQ(found.boundary_length, expected.boundary_length);
-    EXPECT_EQ(found.non_manifold_edges, expected.non_manifold_edges);
-    EXPECT_EQ(found.inconsistent_edges, expected.inconsistent_edges);
-    EXPECT_EQ(found.gap_size, expected.gap_size);
-    EXPECT_EQ(found.noise_deviation, expected.noise_deviation);
-  });
+TEST(DoubledTriangles, AreIgnoredByMeshDiagnostics) {
+  for_each_variant_with_duplicates(
+      diagnose, [](const ShapeDiagnostics& expected, const test::ShapeWithDuplicates& doubled) {
+        const ShapeDiagnostics found = diagnose(doubled.shape);
+        EXPECT_EQ(found.triangles, doubled.triangles.size());
+        EXPECT_EQ(found.duplicate_triangles, doubled.triangles.size() - expected.triangles);
+        EXPECT_EQ(found.area, expected.area);
+        EXPECT_EQ(found.components, expected.components);
+        EXPECT_EQ(found.closed, expected.closed);
+        EXPECT_EQ(found.edges, expected.edges);
+        EXPECT_EQ(found.boundary_edges, expected.boundary_edges);
+        EXPECT_EQ(found.boundary_length, expected.boundary_length);
+        EXPECT_EQ(found.non_manifold_edges, expected.non_manifold_edges);
+        EXPECT_EQ(found.inconsistent_edges, expected.inconsistent_edges);
+        EXPECT_EQ(found.gap_size, expected.gap_size);
+        EXPECT_EQ(found.noise_deviation, expected.noise_deviation);
+      });
 }
 
 TEST(DoubledTriangles, DoNotChangeTheVolume) {
-  for_each_doubling(signed_volume, [](double expected, const test::DoubledShape& doubled) {
+  for_each_variant_with_duplicates(signed_volume, [](double expected, const test::ShapeWithDuplicates& doubled) {
     EXPECT_EQ(signed_volume(doubled.shape), expected);
   });
 }
@@ -48,22 +49,25 @@ TEST(DoubledTriangles, DoNotChangeClosedness) {
   const auto closedness = [](const Shape& shape) {
     return std::array{is_closed(shape), is_closed_and_oriented(shape)};
   };
-  for_each_doubling(closedness, [&](const std::array<bool, 2>& expected, const test::DoubledShape& doubled) {
-    EXPECT_EQ(closedness(doubled.shape), expected);
-  });
+  for_each_variant_with_duplicates(closedness,
+                                   [&](const std::array<bool, 2>& expected, const test::ShapeWithDuplicates& doubled) {
+                                     EXPECT_EQ(closedness(doubled.shape), expected);
+                                   });
 }
 
 TEST(DoubledTriangles, DoNotChangeTheWidestGap) {
   const auto widest = [](const Shape& shape) { return gap_sizes(shape).widest; };
-  for_each_doubling(
-      widest, [&](double expected, const test::DoubledShape& doubled) { EXPECT_EQ(widest(doubled.shape), expected); });
+  for_each_variant_with_duplicates(widest, [&](double expected, const test::ShapeWithDuplicates& doubled) {
+    EXPECT_EQ(widest(doubled.shape), expected);
+  });
 }
 
 TEST(DoubledTriangles, DoNotChangeTheScale) {
   const auto areas = [](const Shape& shape) { return std::array{positive_area(shape), tube_area(shape)}; };
-  for_each_doubling(areas, [&](const std::array<double, 2>& expected, const test::DoubledShape& doubled) {
-    EXPECT_EQ(areas(doubled.shape), expected);
-  });
+  for_each_variant_with_duplicates(
+      areas, [&](const std::array<double, 2>& expected, const test::ShapeWithDuplicates& doubled) {
+        EXPECT_EQ(areas(doubled.shape), expected);
+      });
 }
 
 TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
@@ -72,7 +76,7 @@ TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
       vertex_noise(test::sphere(1, 4), {.amplitude = 0.03, .distribution = NoiseDistribution::gaussian}, random);
   const DenoisedShape expected = denoised(noisy);
   ASSERT_GT(expected.pass_band, 0);
-  for (const test::DoubledShape& doubled : test::doublings(noisy)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(noisy)) {
     SCOPED_TRACE(doubled.name);
     const DenoisedShape found = denoised(doubled.shape);
     EXPECT_EQ(found.noise.deviation, expected.noise.deviation);

@@ -51,7 +51,7 @@ Shape cracked_cube(double crack) {
 /// A cell of the grid in diagonals: at most 1.1 %.
 double half_cell(const Shape& shape) { return 0.0055 * bounding_box_diagonal(shape); }
 
-TEST(GapSize, IsZeroOfClosedAndOfEmptyShapes) {
+TEST(GapSize, IsZeroForClosedAndEmptyShapes) {
   for (const Shape& shape : {test::torus(2, 0.7, 8, 12), test::soup(test::box({1, 2, 3}, 3)), Shape{}}) {
     EXPECT_EQ(gap_sizes(shape).widest, 0);
     EXPECT_EQ(gap_sizes(shape).closable, 0);
@@ -65,7 +65,7 @@ TEST(GapSize, IsTheRadiusOfTheLargestCircleInAHole) {
   }
 }
 
-TEST(GapSize, SeparatesTheWidestGapFromTheWidestClosableOne) {
+TEST(GapSize, DistinguishesTheWidestGapFromTheWidestClosableGap) {
   const Shape cube = cube_with_holes(1 / 8.0, 1 / 2.0);
   const GapSizes sizes = gap_sizes(cube);
   EXPECT_NEAR(sizes.widest, 1 / 2.0, half_cell(cube));
@@ -77,13 +77,13 @@ TEST(GapSize, SeparatesTheWidestGapFromTheWidestClosableOne) {
   EXPECT_NEAR(gap_sizes(two_cubes).closable, 1 / 8.0, half_cell(two_cubes));
 }
 
-TEST(GapSize, IsZeroWithoutAnInnerSpace) {
+TEST(GapSize, IsZeroForAnOpenCupOrSheet) {
   const Shape cup = without(test::box({2, 2, 2}, 8), [](const Eigen::Vector3d& x) { return x.z() > 0.99; });
   const Shape sheet = without(test::box({2, 2, 2}, 8), [](const Eigen::Vector3d& x) { return x.z() < 0.99; });
   for (const Shape& shape : {cup, sheet}) EXPECT_EQ(gap_sizes(shape).widest, 0);
 }
 
-TEST(GapSize, OfPatchesIsTheWidthOfTheCracks) {
+TEST(GapSize, OfSeparatePatchesIsHalfTheWidthOfTheCracks) {
   for (const double crack : {1e-6, 1e-4, 1e-2, 0.1}) {
     const Shape cube = cracked_cube(crack);
     const double half_width = crack / 2 * std::numbers::sqrt2;
@@ -93,7 +93,7 @@ TEST(GapSize, OfPatchesIsTheWidthOfTheCracks) {
   }
 }
 
-TEST(GapSize, FindsCracksBesideAWideGap) {
+TEST(GapSize, OfCracksIsFoundNextToAWideHole) {
   const double crack = 1e-3;
   const Shape two = test::joined(
       {cracked_cube(crack), test::transformed(cube_with_holes(1 / 2.0, 0), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
@@ -102,7 +102,7 @@ TEST(GapSize, FindsCracksBesideAWideGap) {
   EXPECT_NEAR(gap_sizes(two).closable, half_width, 0.01 * half_width);
 }
 
-TEST(GapSize, OfTilesIsHalfTheirDistance) {
+TEST(GapSize, OfSeparateTilesIsHalfTheirDistance) {
   // A closed box of 8 x 8 tiles a side, each shrunk by a thousandth towards its centre.
   Shape tiles = test::soup(test::box({2, 2, 2}, 8));
   for (Eigen::Index first = 0; first < tiles.vertices.rows(); first += 3) {
@@ -116,14 +116,14 @@ TEST(GapSize, OfTilesIsHalfTheirDistance) {
   EXPECT_NEAR(gap_sizes(tiles).widest, half_width, 0.01 * half_width);
 }
 
-TEST(GapSize, IsZeroWhereEdgesMeetWithoutSharingCorners) {
+TEST(GapSize, IsZeroIfEdgesCoincideWithoutSharedVertices) {
   // The lid has one edge where the wall has eight.
   Shape walls = without(test::box({2, 2, 2}, 8), [](const Eigen::Vector3d& x) { return x.z() > 0.99; });
   Shape lid = without(test::box({2, 2, 2}, 1), [](const Eigen::Vector3d& x) { return x.z() < 0.99; });
   EXPECT_EQ(gap_sizes(test::joined({walls, lid})).widest, 0);
 }
 
-TEST(GapSize, OfACloudIncludesItsHoles) {
+TEST(GapSize, OfACloudIncludesTheSizeOfItsHoles) {
   const Shape slab = test::box({2, 2, 0.4}, 1);
   const Shape whole = test::random_points(slab, 20'000, 1);
   const double hole = 0.12;
@@ -150,21 +150,21 @@ TEST(GapSize, OfACloudIncludesItsHoles) {
   EXPECT_GT(open.second, static_cast<std::size_t>(holed.vertices.rows()) / 2);
 }
 
-TEST(GapSize, OfASheetOfPointsIsTheDistanceToTheSixthNeighbour) {
+TEST(GapSize, OfAGridOfPointsIsTheDistanceToTheSixthNeighbour) {
   Shape grid{Points(900, 3), {}};
   for (int i = 0; i < 900; ++i) grid.vertices.row(i) << i / 30, i % 30, 0;
   // Inside sqrt(2); on the border 2: and the border has more than a thousandth of the points; a corner sqrt(5).
   EXPECT_NEAR(gap_sizes(grid).closable, std::sqrt(5.0), 1e-12);
 }
 
-TEST(GapSize, OfFewPointsReachesTheLast) {
+TEST(GapSize, OfFewPointsIsTheDistanceToTheFarthest) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(gap_sizes({points, {}}).closable, 3);
   EXPECT_EQ(gap_sizes({points.topRows(2), {}}).closable, 1);
   EXPECT_EQ(gap_sizes({points.topRows(1), {}}).closable, 0);
 }
 
-TEST(GapSize, ScalesWithTheShapeAndIgnoresOrder) {
+TEST(GapSize, ScalesWithTheShapeAndIgnoresTheOrderOfFaces) {
   const Shape cube = cube_with_holes(1 / 8.0, 0);
   const double gap = gap_sizes(cube).widest;
   EXPECT_EQ(gap_sizes(test::flipped(cube)).widest, gap);
@@ -177,7 +177,7 @@ TEST(GapSize, ScalesWithTheShapeAndIgnoresOrder) {
   EXPECT_NEAR(gap_sizes(turned).widest, gap, 2 * half_cell(turned));
 }
 
-TEST(GapSize, RefusesAnUnusableShape) {
+TEST(GapSize, RejectsNonFinitePoints) {
   Shape cloud{Points::Random(20, 3), {}};
   cloud.vertices(3, 1) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(gap_sizes(cloud), InputError);

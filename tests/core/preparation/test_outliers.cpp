@@ -21,7 +21,7 @@ Shape with_outliers(Eigen::Index count) {
   return cloud;
 }
 
-TEST(Outliers, AreTheIsolatedPointsOfACloud) {
+TEST(CloudOutliers, AreTheIsolatedPointsOfACloud) {
   const Shape cloud = with_outliers(5);
   const std::vector<bool> marked = outliers(cloud);
   for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(marked[i], i >= 2000) << i;
@@ -32,7 +32,7 @@ TEST(Outliers, AreTheIsolatedPointsOfACloud) {
   EXPECT_EQ(prepare_shape(cloud, {.remove_outliers = true}).area, positive_area(clean));
 }
 
-TEST(Outliers, AreAbsentInCleanCloudsAndMeshes) {
+TEST(CloudOutliers, AreNotFoundInCleanCloudsAndMeshes) {
   EXPECT_EQ(outlier_count(with_outliers(0)), 0U);
   EXPECT_EQ(outlier_count(with_outliers(40)), 0U) << "2 % of the points";
   EXPECT_EQ(outlier_count(test::sphere(1, 2)), 0U);

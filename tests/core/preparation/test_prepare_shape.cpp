@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-TEST(ScaledToUnitArea, AreaIsOneAtEveryScale) {
+TEST(ScaledToUnitArea, HasAreaOneForEveryInputScale) {
   for (const double scale : {1e-30, 1e-3, 1.0, 1e30}) {
     const Shape shape = prepare_shape(test::box(scale * Eigen::Vector3d(1, 2, 3), 2), {}).shape;
     EXPECT_NEAR(surface_area(shape), 1, 1e-14) << scale;
@@ -29,7 +29,7 @@ TEST(ScaledToUnitArea, ScalesAboutTheOriginAndKeepsTriangles) {
   EXPECT_EQ(unit.triangles, box.triangles);
 }
 
-TEST(ScaledToUnitArea, CloudsUseTheEstimatedArea) {
+TEST(ScaledToUnitArea, UsesTheEstimatedAreaOfClouds) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Shape cloud{test::box(scale * Eigen::Vector3d(1, 2, 3), 5).vertices, {}, {}};
     cloud.normals = Points::Ones(cloud.vertices.rows(), 3).rowwise().normalized();
@@ -60,7 +60,7 @@ TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
   EXPECT_THROW(prepare_shape(with_nan, {}), InputError);
 }
 
-TEST(PrepareShape, ScalesTheEstimateOfTheAreaToOne) {
+TEST(PrepareShape, ScalesTheEstimatedAreaToOne) {
   const Shape box = test::box({1, 2, 3}, 2);
   const PreparedShape by_area = prepare_shape(box, {.scale = ScaleEstimate::area});
   EXPECT_NEAR(by_area.area, 22, 1e-12);

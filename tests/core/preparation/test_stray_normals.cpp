@@ -20,7 +20,7 @@ Shape ball() {
 /// Directions of the points of another random sample of the sphere.
 Points random_directions() { return test::random_points(test::sphere(1, 4), 2000, 2).vertices; }
 
-TEST(StrayNormals, AreIndependentOfTheSurface) {
+TEST(StrayNormals, AreNormalsUnrelatedToTheSurface) {
   Shape cloud = ball();
   EXPECT_FALSE(has_stray_normals(cloud));
   cloud.normals.topRows(1000) *= -3;
@@ -34,7 +34,7 @@ TEST(StrayNormals, AreIndependentOfTheSurface) {
   EXPECT_TRUE(has_stray_normals(cloud)) << "zero normals are unknown";
 }
 
-TEST(StrayNormals, AreNotToldFromThoseOfThickOrAbsentSurfaces) {
+TEST(StrayNormals, AreNotReportedForPlatesVolumesAndMeshes) {
   Shape cloud = ball();
   cloud.vertices = Points::Random(2000, 3);
   EXPECT_FALSE(has_stray_normals(cloud)) << "points of a volume have no surface";
@@ -47,7 +47,7 @@ TEST(StrayNormals, AreNotToldFromThoseOfThickOrAbsentSurfaces) {
   EXPECT_FALSE(has_stray_normals({Points::Zero(1, 3), {}}));
 }
 
-TEST(StrayNormals, AreRemovedBeforeAShapeIsMeasured) {
+TEST(StrayNormals, AreRemovedWhenAShapeIsPrepared) {
   Shape cloud = ball();
   EXPECT_EQ(prepare_shape(cloud, {}).shape.normals, cloud.normals);
   cloud.normals = random_directions();

@@ -20,7 +20,7 @@ double tube_area_of_box(const Eigen::Vector3d& size, double r) {
   return (outside + inside) / (2 * r);
 }
 
-TEST(TubeArea, MatchesWeylsFormula) {
+TEST(TubeArea, MatchesTheTubeFormulaOfWeyl) {
   const Shape sphere = test::sphere(1, 5);
   const Shape torus = test::torus(2, 0.7, 120, 240);
   const Eigen::Vector3d size(1, 2, 3);
@@ -34,14 +34,14 @@ TEST(TubeArea, MatchesWeylsFormula) {
   }
 }
 
-TEST(TubeArea, OfATubeFinerThanTheFinestCubes) {
+TEST(TubeArea, IsTheSurfaceAreaForTinyRadii) {
   const Shape sphere = test::sphere(1, 5);
   for (const double radius : {0.0005, 0.001, 0.002}) {
     EXPECT_NEAR(tube_area(sphere, radius) / surface_area(sphere), 1, 0.02) << radius;
   }
 }
 
-TEST(TubeArea, HardlyChangesWhenFacesAreMissing) {
+TEST(TubeArea, HardlyChangesIfFacesAreMissing) {
   for (const Shape& mesh : {test::sphere(1, 4), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     RandomNumbers random(1);
     const Shape cracked = remove_faces(mesh, 0.15, random);
@@ -50,7 +50,7 @@ TEST(TubeArea, HardlyChangesWhenFacesAreMissing) {
   }
 }
 
-TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
+TEST(TubeArea, GrowsLessThanTheSurfaceAreaUnderNoise) {
   const Shape torus = test::torus(2, 0.7, 60, 120);
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(torus, {.amplitude = 0.005, .distribution = NoiseDistribution::gaussian}, random);

@@ -119,7 +119,7 @@ void expect_same_samples(const Shape& a, const Shape& b, const std::vector<std::
   }
 }
 
-TEST(DenseSamples, DependNeitherOnOrderNorOnOrientation) {
+TEST(DenseSamples, DoNotDependOnTheOrderAndOrientationOfTriangles) {
   const Shape mesh = uneven_mesh();
   std::vector<std::int32_t> same(static_cast<std::size_t>(mesh.triangles.rows()));
   for (std::size_t f = 0; f < same.size(); ++f) same[f] = static_cast<std::int32_t>(f);
@@ -176,7 +176,7 @@ TEST(DenseSamples, DoNotOrientAMoebiusBand) {
   }
 }
 
-TEST(DenseSamples, SheetsEndWhereThreeTrianglesMeet) {
+TEST(DenseSamples, SheetsEndAtNonManifoldEdges) {
   // A square of two triangles, and a third triangle at its diagonal.
   const Shape fins{Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
                    Triangles{{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}};
@@ -188,7 +188,7 @@ TEST(DenseSamples, SheetsEndWhereThreeTrianglesMeet) {
   EXPECT_EQ(all.size(), 3U);
 }
 
-TEST(DenseSamples, NeedAnArea) {
+TEST(DenseSamples, RejectShapesWithoutArea) {
   EXPECT_THROW(dense(test::box({0, 0, 1}, 1), 10), InputError);
   EXPECT_THROW(dense({Points::Ones(5, 3), {}, {}}, 10), InputError);
 }
@@ -207,7 +207,7 @@ Shape repetitive_cloud() {
   return cloud;
 }
 
-TEST(DenseSamples, CloudsUseTheirDistinctPoints) {
+TEST(DenseSamples, OfACloudAreItsDistinctPoints) {
   const Shape cloud = repetitive_cloud();
   const DenseSamples samples = dense(cloud, 1000);
   ASSERT_EQ(samples.points.rows(), 300);
@@ -228,7 +228,7 @@ TEST(DenseSamples, DoNotDependOnTheOrderOfPoints) {
   }
 }
 
-TEST(DenseSamples, LargeCloudsUseEveryNthPointAlongTheCurve) {
+TEST(DenseSamples, OfALargeCloudAreEveryNthPointAlongTheMortonCurve) {
   const Shape cloud = repetitive_cloud();
   const Points all = dense(cloud, 1000).points;
   for (const Eigen::Index count : {2, 7, 120, 299}) {
@@ -264,7 +264,7 @@ bool are_on_same_sheet(const DenseSamples& samples) {
   return same;
 }
 
-TEST(NormalAgreement, IsUnsignedBetweenSheets) {
+TEST(NormalAgreement, IgnoresTheSignBetweenSheets) {
   const Eigen::RowVector3d down(0.6, 0, -0.8);
   EXPECT_DOUBLE_EQ(normal_agreement(two_samples({1, 0, 0}, {0, 0, 1}, down, 0), 0, 1), -0.8);
   EXPECT_DOUBLE_EQ(normal_agreement(two_samples({1, 0, 0}, {0, 0, 1}, down, 1), 0, 1), 0.8);
@@ -273,7 +273,7 @@ TEST(NormalAgreement, IsUnsignedBetweenSheets) {
   EXPECT_DOUBLE_EQ(normal_agreement(of_no_sheet, 0, 1), 0.8);
 }
 
-TEST(OnSameSheet, HoldsOnCirclesForTurnsBelow107Degrees) {
+TEST(OnSameSheet, HoldsForArcsBelow107Degrees) {
   for (int degrees = 1; degrees < 180; degrees += 2) {
     const double turn = degrees * std::numbers::pi / 180;
     const Eigen::RowVector3d place(std::sin(turn), 0, std::cos(turn) - 1);
@@ -292,7 +292,7 @@ TEST(OnSameSheet, ExcludesTheOtherSideOfAThinWall) {
   EXPECT_TRUE(are_on_same_sheet(two_samples({1, 0, 0}, {0, 0, 1}, {0, 0, -1}, 1))) << "turned triangles";
 }
 
-TEST(OnSameSheet, HoldsForParallelPlanesUpToAnAngle) {
+TEST(OnSameSheet, HoldsForOffsetParallelPlanesBelowALimitAngle) {
   // Both distances from the planes are sin(a), and their squares are below 0.2 together.
   const double limit = std::asin(std::sqrt(0.1));
   for (const double angle : {0.0, 0.9 * limit, 1.1 * limit, 1.5}) {

@@ -43,9 +43,9 @@ FarthestPoints literal_farthest_points(const DenseSamples& samples, Eigen::Index
   return result;
 }
 
-class FarthestPointsOf : public testing::TestWithParam<Shape> {};
+class FarthestPointsOfShapes : public testing::TestWithParam<Shape> {};
 
-TEST_P(FarthestPointsOf, MatchTheDefinition) {
+TEST_P(FarthestPointsOfShapes, MatchADirectImplementation) {
   const DenseSamples samples = samples_of(GetParam(), 600);
   for (const Eigen::Index count : {1, 2, 40, 600}) {
     const FarthestPoints found = farthest_points(samples, count);
@@ -56,11 +56,11 @@ TEST_P(FarthestPointsOf, MatchTheDefinition) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, FarthestPointsOf,
+INSTANTIATE_TEST_SUITE_P(Shapes, FarthestPointsOfShapes,
                          testing::Values(test::torus(1, 0.4, 20, 12), test::box({2, 1, 0.02}, 4), test::sphere(1, 2)),
                          [](const auto& one) { return "shape" + std::to_string(one.index); });
 
-TEST(FarthestPoints, CoverTheTwoSidesOfAThinWallSeparately) {
+TEST(FarthestPoints, CoverBothSidesOfAThinWallSeparately) {
   const DenseSamples samples = samples_of(test::box({2, 1, 0.05}, 4), 600);
   const FarthestPoints found = farthest_points(samples, 40);
   const double tenth_of_spacing = 0.1 * std::sqrt(samples.areas.sum() / 40);
@@ -74,7 +74,7 @@ TEST(FarthestPoints, CoverTheTwoSidesOfAThinWallSeparately) {
   }
 }
 
-TEST(FarthestPoints, AreAtMostAsManyAsPositions) {
+TEST(FarthestPoints, AreNoMoreThanDistinctPositions) {
   DenseSamples samples;
   samples.points = Points{{0, 0, 0}, {3, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   samples.normals = Points::Zero(4, 3);

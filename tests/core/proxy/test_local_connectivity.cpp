@@ -33,10 +33,10 @@ Shape squares(const std::vector<std::pair<double, double>>& corners) {
 /// A U of seven squares. Its first and its last one face each other.
 Shape horseshoe() { return squares({{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 2}, {2, 1}, {2, 0}}); }
 
-TEST(LocalConnectivity, EndsOfAHorseshoeAreConnectedInLargeBallsOnly) {
+TEST(LocalConnectivity, ConnectsTheEndsOfAHorseshoeOnlyInLargeBalls) {
   LocalConnectivity connectivity = connectivity_of(horseshoe());
   const Eigen::Vector3d between(1.5, 0.5, 0);
-  EXPECT_TRUE(connectivity.of_one_component(0, 13));
+  EXPECT_TRUE(connectivity.in_same_component(0, 13));
   for (const auto& [from, to] : {std::pair{0, 13}, {13, 0}}) {
     // The circles about the first and the last square reach the ball, the next ones from a radius of 0.71 on.
     EXPECT_FALSE(connectivity.connected_in_ball(from, to, between, 0.6));
@@ -45,15 +45,15 @@ TEST(LocalConnectivity, EndsOfAHorseshoeAreConnectedInLargeBallsOnly) {
   EXPECT_TRUE(connectivity.connected_in_ball(0, 1, between, 0.6)) << "the halves of a square";
 }
 
-TEST(LocalConnectivity, ConnectsCornersAcrossVerticesOnly) {
+TEST(LocalConnectivity, ConnectsDiagonalSquaresThroughVerticesOnly) {
   LocalConnectivity connectivity = connectivity_of(squares({{0, 0}, {1, 1}}));
   const Eigen::Vector3d corner(1, 1, 0);
-  EXPECT_FALSE(connectivity.of_one_component(0, 2));
+  EXPECT_FALSE(connectivity.in_same_component(0, 2));
   EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::edge));
   EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::vertex));
 }
 
-TEST(LocalConnectivity, VisitsAFanOnce) {
+TEST(LocalConnectivity, VisitsEachTriangleOfAFanOnce) {
   // Triangles that share the origin only: n^2 pairs of neighbours.
   constexpr int count = 20'000;
   Shape fan{.vertices = Points::Zero(2 * count + 1, 3), .triangles = {}};
@@ -68,19 +68,19 @@ TEST(LocalConnectivity, VisitsAFanOnce) {
   LocalConnectivity connectivity = connectivity_of(fan);
   for (int to = 1; to < count; to += 1999) {
     EXPECT_FALSE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, SharedElement::edge));
-    EXPECT_TRUE(connectivity.met_border());
+    EXPECT_TRUE(connectivity.has_visited_boundary());
     EXPECT_TRUE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, SharedElement::vertex));
   }
   EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, SharedElement::vertex));
 }
 
-TEST(LocalConnectivity, FindsBorders) {
+TEST(LocalConnectivity, ReportsWhetherItMetABorder) {
   LocalConnectivity closed = connectivity_of(test::box({1, 1, 1}, 1));
   EXPECT_TRUE(closed.connected_in_ball(0, 11, {0, 0, 0}, 10));
-  EXPECT_FALSE(closed.met_border());
+  EXPECT_FALSE(closed.has_visited_boundary());
   LocalConnectivity open = connectivity_of(horseshoe());
   EXPECT_TRUE(open.connected_in_ball(0, 13, {1.5, 1.5, 0}, 10));
-  EXPECT_TRUE(open.met_border());
+  EXPECT_TRUE(open.has_visited_boundary());
 }
 
 }  // namespace

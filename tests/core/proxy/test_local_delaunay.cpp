@@ -57,7 +57,7 @@ TEST(DelaunayStar, OfAHexagonHasSixTriangles) {
   EXPECT_EQ(delaunay_star(points).size(), 6U);
 }
 
-TEST(DelaunayStar, OfTooFewOrCollinearPointsIsEmpty) {
+TEST(DelaunayStar, IsEmptyForTooFewOrCollinearPoints) {
   EXPECT_TRUE(delaunay_star({}).empty());
   EXPECT_TRUE(delaunay_star(std::vector<Eigen::Vector2d>{{1, 0}}).empty());
   EXPECT_TRUE(delaunay_star(std::vector<Eigen::Vector2d>{{1, 0}, {2, 0}, {-1, 0}}).empty());

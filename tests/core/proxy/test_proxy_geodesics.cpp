@@ -28,7 +28,7 @@ Eigen::VectorXf literal_distances(const SurfaceProxy& proxy, Eigen::Index source
   return distances;
 }
 
-TEST(ProxyGeodesics, AreTheShortestPathsAlongTheArcs) {
+TEST(ProxyGeodesics, AreShortestPathsInTheGraphOfArcs) {
   const SurfaceProxy proxy = surface_proxy(test::torus(1, 0.4, 30, 16), 300);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 37);  // not a multiple of the lanes
   ASSERT_EQ(geodesics.distances.cols(), 37);

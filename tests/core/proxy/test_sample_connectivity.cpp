@@ -37,17 +37,17 @@ bool connected(const DenseSamples& samples, std::int32_t from, std::int32_t to) 
   return SampleConnectivity(samples).connected_in_ball(from, to, centre, distance);
 }
 
-TEST(SampleConnectivity, SamplesOfAFlatGridAreConnected) {
+TEST(SampleConnectivity, ConnectsSamplesOfAFlatGrid) {
   EXPECT_TRUE(connected(floor_grid(), 0, 99));
   EXPECT_TRUE(connected(floor_grid(), at_border, at_border + 3));
 }
 
-TEST(SampleConnectivity, AnEdgeConnectsItsSides) {
+TEST(SampleConnectivity, ConnectsSamplesOnTwoSidesOfAnEdge) {
   const DenseSamples wall = grid_of({1, 0, 0}, [](double u, double v) { return Eigen::RowVector3d(-0.5, v, u + 0.5); });
   EXPECT_TRUE(connected(joined(floor_grid(), wall), at_border + 1, 100 + at_border + 1));
 }
 
-TEST(SampleConnectivity, SidesOfAThinPlateAreNotConnected) {
+TEST(SampleConnectivity, DoesNotConnectTheSidesOfAThinPlate) {
   const DenseSamples below = grid_of({0, 0, 1}, [](double u, double v) { return Eigen::RowVector3d(u, v, -0.5); });
   EXPECT_FALSE(connected(joined(floor_grid(), below), 44, 144));
   EXPECT_FALSE(connected(joined(floor_grid(), below), 44, 100 + 46));

@@ -80,7 +80,7 @@ TEST(SurfaceProxy, EigenvaluesOfTheSphereMatchSphericalHarmonics) {
   }
 }
 
-TEST(SurfaceProxy, DistancesOnTheSphereAreGreatCircles) {
+TEST(SurfaceProxy, DistancesOnTheSphereMatchGreatCircles) {
   const SurfaceProxy proxy = surface_proxy(sphere(1, 5));
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 100);
   double sum = 0;
@@ -98,7 +98,7 @@ TEST(SurfaceProxy, DistancesOnTheSphereAreGreatCircles) {
   EXPECT_NEAR(geodesics.areas.sum(), 4 * pi, 0.01 * 4 * pi);
 }
 
-TEST(SurfaceProxy, DistancesAgreeWithExactOnesOnTheMesh) {
+TEST(SurfaceProxy, DistancesMatchExactGeodesicsOnTheMesh) {
   const Shape mesh = test::torus(1, 0.4, 40, 100);
   const SurfaceProxy proxy = surface_proxy(mesh);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 3);
@@ -132,7 +132,7 @@ TEST(SurfaceProxy, DoesNotConnectTheSidesOfAThinPlate) {
   }
 }
 
-TEST(SurfaceProxy, LinksTwoSheets) {
+TEST(SurfaceProxy, LinksSeparateSheetsByFiniteDistances) {
   Shape upper = test::rectangle(1, 1, 20, 20);
   upper.vertices.col(2).setConstant(0.05);
   const Shape sheets = test::joined({test::rectangle(1, 1, 20, 20), upper});
@@ -167,7 +167,7 @@ TEST(SurfaceProxy, DoesNotConnectTouchingParts) {
   EXPECT_NEAR(longest, 2 * pi, 0.05 * 2 * pi);
 }
 
-TEST(SurfaceProxy, DoesNotConnectPartsAtTheDistanceOfNeighbours) {
+TEST(SurfaceProxy, DoesNotConnectPartsAcrossGapsOfTheSampleSpacing) {
   // The gaps are as wide as neighbours are apart, and several times as wide as samples are.
   const SurfaceProxy cloud = surface_proxy(test::random_points(open_ring(0.03), 24000, 1));
   EXPECT_GT(2.5 * cloud.covering_radius, 0.036);
@@ -205,7 +205,7 @@ struct Damage {
   double bound;  ///< of the relative change of an eigenvalue
 };
 
-TEST(SurfaceProxy, HardlyChangesUnderDamage) {
+TEST(SurfaceProxy, EigenvaluesAndDistancesHardlyChangeForDamagedMeshes) {
   const auto ellipsoid = [](int subdivisions) {
     Shape shape = sphere(1, subdivisions);
     shape.vertices = shape.vertices * Eigen::Vector3d(0.5, 0.7, 1.5).asDiagonal();
@@ -227,7 +227,7 @@ TEST(SurfaceProxy, HardlyChangesUnderDamage) {
   }
 }
 
-TEST(SurfaceProxy, DependsNeitherOnOrderNorOnOrientation) {
+TEST(SurfaceProxy, DoesNotDependOnTheOrderAndOrientationOfTriangles) {
   const Shape shape = test::joined({test::torus(1, 0.3, 20, 50), test::box({1, 2, 0.1}, 6)});
   const SurfaceProxy expected = surface_proxy(shape);
   EXPECT_TRUE(are_equal(surface_proxy(test::permuted(shape, 1).shape), expected));

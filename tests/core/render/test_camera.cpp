@@ -18,7 +18,7 @@ Eigen::Vector2d projected(const Camera& camera, const Eigen::Vector3d& point) {
   return {d.dot(camera.right) / camera.pixel, -d.dot(camera.up) / camera.pixel};
 }
 
-TEST(Camera, AxesAreARotationTowardsTheShape) {
+TEST(Camera, AxesFollowTheViewAndUpDirections) {
   const Camera camera = camera_for(test::box({1, 2, 3}, 1), {.towards_viewer = {0, 0, 5}, .up = {0, 2, 0}});
   EXPECT_LT((camera.right - Eigen::Vector3d::UnitX()).norm(), 1e-12);
   EXPECT_LT((camera.up - Eigen::Vector3d::UnitY()).norm(), 1e-12);
@@ -28,7 +28,7 @@ TEST(Camera, AxesAreARotationTowardsTheShape) {
   EXPECT_LT(camera.light.dot(camera.right), 0);
 }
 
-TEST(Camera, TheShapeFillsTheImageUpToTheMargin) {
+TEST(Camera, FitsTheShapeIntoTheImageUpToTheMargin) {
   const Shape box = test::box({4, 1, 1}, 1);  // wider than the image
   const RenderOptions options{.width = 200, .height = 100, .towards_viewer = {0, 0, 1}, .up = {0, 1, 0}, .margin = 0.1};
   const Camera camera = camera_for(box, options);
@@ -77,7 +77,7 @@ double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.nor
 const std::vector<Eigen::Vector3d> directions_up = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
                                                     {0, 0, 1}, {0, 0, -1}, {1, 2, 3}};
 
-TEST(UprightView, TheTopIsAboveTheBottomHoweverTheShapeIsTurnedAboutUp) {
+TEST(UprightView, ShowsTheTopAboveTheBottomForAnyRotationAboutUp) {
   for (const Eigen::Vector3d& up : directions_up) {
     const Eigen::Matrix3d raise = rotation_between(Eigen::Vector3d::UnitZ(), up);
     for (double degrees = 0; degrees < 360; degrees += 40) {
@@ -95,7 +95,7 @@ TEST(UprightView, TheTopIsAboveTheBottomHoweverTheShapeIsTurnedAboutUp) {
   }
 }
 
-TEST(UprightView, OfTheTwoBroadSidesTheOneAtTheFrontIsShown) {
+TEST(UprightView, ShowsTheBroadSideThatFacesTheFront) {
   const Shape shape = figure();
   EXPECT_GT(cosine(upright_view(shape, {.up = {0, 0, 1}}).towards_viewer, {0, -1, 0}), 0.85);
   EXPECT_GT(cosine(upright_view(shape, {.up = {0, 0, -1}}).towards_viewer, {0, -1, 0}), 0.85);
@@ -103,7 +103,7 @@ TEST(UprightView, OfTheTwoBroadSidesTheOneAtTheFrontIsShown) {
   EXPECT_GT(cosine(upright_view(with_y_up, {.up = {0, 1, 0}}).towards_viewer, {0, 0, 1}), 0.85);
 }
 
-TEST(UprightView, ShapesWithoutABroadSideAreShownFromTheFront) {
+TEST(UprightView, ShowsShapesWithoutABroadSideFromTheFront) {
   const Eigen::Vector3d up(0, 0, 1);
   const Eigen::Vector3d front = upright_view(Shape{}, {.up = up}).towards_viewer;
   EXPECT_GT(cosine(front, {0, -1, 0}), 0.85);
@@ -118,7 +118,7 @@ TEST(UprightView, ShapesWithoutABroadSideAreShownFromTheFront) {
             front);
 }
 
-TEST(UprightView, FlatShapesHaveACamera) {
+TEST(UprightView, DoesNotShowFlatShapesEdgeOn) {
   const Shape plate{.vertices = Points{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}},
                     .triangles = Triangles{{0, 1, 2}, {0, 2, 3}}};
   for (const Eigen::Vector3d& up : directions_up) {
@@ -137,7 +137,7 @@ TEST(UprightView, DoesNotDependOnTheTriangulation) {
   EXPECT_GT(cosine(coarse, upright_view(cloud, options).towards_viewer), 0.99);
 }
 
-TEST(UprightView, KeepsOtherOptions) {
+TEST(UprightView, KeepsImageSizeMarginAndUpDirection) {
   const RenderOptions view = upright_view(figure(), {.width = 7, .up = {0, 0, 2}, .margin = 0.2});
   EXPECT_EQ(view.width, 7);
   EXPECT_EQ(view.margin, 0.2);

@@ -46,7 +46,7 @@ TEST(ColourMap, LightnessIncreasesMonotonically) {
   }
 }
 
-TEST(ColourMap, ClampsValuesAndMarksNan) {
+TEST(ColourMap, ClampsValuesAndShowsNanInGrey) {
   EXPECT_EQ(colour_of(-infinity), colour_of(0));
   EXPECT_EQ(colour_of(7), colour_of(1));
   const Colour grey = colour_of(nan);
@@ -54,12 +54,12 @@ TEST(ColourMap, ClampsValuesAndMarksNan) {
   EXPECT_EQ(grey[1], grey[2]);
 }
 
-TEST(ColourMap, OfARangeOfValues) {
+TEST(ColourMap, MapsARangeOfValuesLinearly) {
   const std::vector<Colour> colours = colours_of(Eigen::Vector4d(2, 4, 3, nan), 2, 4);
   EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(1), colour_of(0.5), colour_of(nan)}));
 }
 
-TEST(ColourMap, OfARangeWithoutWidth) {
+TEST(ColourMap, MapsAllEqualValuesToTheMiddleColour) {
   const std::vector<Colour> colours = colours_of(Eigen::Vector4d(1, 2, 3, nan), 2, 2);
   EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(0.5), colour_of(1), colour_of(nan)}));
 }
@@ -78,7 +78,7 @@ TEST(Image, PngContainsThePixels) {
   EXPECT_EQ(back.pixels, image.pixels);
 }
 
-TEST(Image, PngFileHasTheSameBytes) {
+TEST(Image, WritesTheEncodedPngToAFile) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "shapegauge_image.png";
   const Image image = gradient(9, 4, 2);
   write_png(path, image);
@@ -89,7 +89,7 @@ TEST(Image, PngFileHasTheSameBytes) {
   std::filesystem::remove(path);
 }
 
-TEST(Image, RejectsInvalidSizes) {
+TEST(Image, RejectsEmptyImagesAndMissingPixels) {
   EXPECT_THROW(encode_png(Image{}), ArgumentError);
   Image short_of_a_pixel = gradient(3, 3, 0);
   short_of_a_pixel.pixels.resize(32);

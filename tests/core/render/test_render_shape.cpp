@@ -46,7 +46,7 @@ const std::uint8_t* pixel(const Image& image, int column, int row) {
                             static_cast<std::size_t>(column))];
 }
 
-TEST(RenderShape, SphereCoversADiskThatFillsTheHeight) {
+TEST(RenderShape, ShowsASphereAsADiscThatFillsTheHeight) {
   const RenderOptions options = small_transparent();
   const Image image = render(test::sphere(1, 5), options);
   const double radius = 0.5 * options.height * (1 - 2 * options.margin);
@@ -55,7 +55,7 @@ TEST(RenderShape, SphereCoversADiskThatFillsTheHeight) {
   EXPECT_NEAR(covered(image), std::numbers::pi * radius * radius, bound);
 }
 
-TEST(RenderShape, SilhouetteOfABoxFromTheFront) {
+TEST(RenderShape, ShowsABoxAsARectangleFromTheFront) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 2};
   const Image image = render(test::box({2, 1, 7}, 1), options);
@@ -97,7 +97,7 @@ TEST(RenderShape, IsInvariantToSizeAndPosition) {
   }
 }
 
-TEST(RenderShape, SameBytesOnAnyNumberOfThreads) {
+TEST(RenderShape, GivesTheSamePixelsOnAnyNumberOfThreads) {
   const Shape torus = test::torus(3, 1, 20, 40);
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   const auto bytes = [&](int threads) {
@@ -106,7 +106,7 @@ TEST(RenderShape, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(bytes(1), bytes(7));
 }
 
-TEST(RenderShape, WhiteBackgroundIsOpaque) {
+TEST(RenderShape, HasAnOpaqueBackgroundIfWhiteIsRequested) {
   RenderOptions options = small_transparent();
   options.transparent = false;
   const Image image = render(test::sphere(1, 3), options);
@@ -114,7 +114,7 @@ TEST(RenderShape, WhiteBackgroundIsOpaque) {
   for (int k = 0; k < 4; ++k) EXPECT_EQ(pixel(image, 0, 0)[k], 255);
 }
 
-TEST(RenderShape, ColoursBelongToTheirTriangles) {
+TEST(RenderShape, ShowsTrianglesInTheirColours) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Shape box = test::box({2, 2, 2}, 1);
@@ -130,7 +130,7 @@ TEST(RenderShape, ColoursBelongToTheirTriangles) {
   EXPECT_EQ(pixel(back, 60, 45)[1], 0);
 }
 
-TEST(RenderShape, ShowsTheNearerOfCrossingSheets) {
+TEST(RenderShape, ShowsTheNearerPartOfIntersectingSheets) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Shape sheets{
@@ -144,7 +144,7 @@ TEST(RenderShape, ShowsTheNearerOfCrossingSheets) {
   }
 }
 
-TEST(RenderShape, ColoursOfVerticesBlend) {
+TEST(RenderShape, InterpolatesTheColoursOfVertices) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Shape box = test::box({2, 1, 1}, 1);
@@ -161,25 +161,25 @@ TEST(RenderShape, ColoursOfVerticesBlend) {
   for (const int column : {20, 60, 100}) EXPECT_NEAR(green_part(column), (column + 0.5 - left) / width, 0.02);
 }
 
-TEST(RenderShape, ReversedTrianglesLookTheSame) {
+TEST(RenderShape, ShowsReversedTrianglesLikeOutwardOnes) {
   const Shape torus = test::torus(3, 1, 20, 40);
   EXPECT_EQ(render(torus, small_transparent()).pixels, render(test::flipped(torus), small_transparent()).pixels);
 }
 
-TEST(RenderShape, LitFromAbove) {
+TEST(RenderShape, LightsTheShapeFromAbove) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Image image = render(test::sphere(1, 4), options);
   EXPECT_GT(pixel(image, 60, 15)[0], pixel(image, 60, 75)[0] + 20);
 }
 
-TEST(RenderShape, FlatShapeEdgeOn) {
+TEST(RenderShape, ShowsAFlatShapeEdgeOn) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   EXPECT_NO_THROW(render(test::box({0, 0, 1}, 1), options));
 }
 
-TEST(RenderShape, ACloudLooksLikeItsSurface) {
+TEST(RenderShape, ShowsACloudLikeItsSurface) {
   const RenderOptions options = small_transparent();
   const Shape sphere = test::sphere(1, 5);
   const Shape cloud = test::random_points(sphere, 5000, 1);
@@ -197,7 +197,7 @@ TEST(RenderShape, ACloudLooksLikeItsSurface) {
   EXPECT_LT(difference / pixels, 5);
 }
 
-TEST(RenderShape, PointsOfACloudHaveTheirColours) {
+TEST(RenderShape, ShowsPointsOfACloudInTheirColours) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Shape cloud = test::random_points(test::sphere(1, 4), 5000, 1);
@@ -210,7 +210,7 @@ TEST(RenderShape, PointsOfACloudHaveTheirColours) {
   EXPECT_GT(pixel(image, 80, 45)[1], 100);
 }
 
-TEST(RenderShape, RejectsInvalidInput) {
+TEST(RenderShape, RejectsShapesWithoutExtentMismatchedColoursAndOptionsOutOfRange) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
   EXPECT_THROW(render(test::box({0, 0, 0}, 1), {}), InputError);

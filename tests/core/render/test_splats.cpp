@@ -39,7 +39,7 @@ TEST(Splats, UseTheNormalsOfTheCloud) {
   EXPECT_GT(std::abs(faces.normals.row(triangles_per_splat).dot(cloud.vertices.row(1))), 0.97);
 }
 
-TEST(Splats, HandleAnySizeAndEmptyClouds) {
+TEST(Splats, ScaleWithTheCloudAndHaveSizeZeroForCoincidentPoints) {
   for (const double scale : {1e-30, 1e30}) {
     Shape cloud = sphere_cloud();
     cloud.vertices *= scale;
@@ -51,7 +51,7 @@ TEST(Splats, HandleAnySizeAndEmptyClouds) {
   EXPECT_TRUE(splats(line).vertices.allFinite());
 }
 
-TEST(Splats, AreRegularHexagonsOfTheArea) {
+TEST(Splats, AreRegularHexagonsWithTheAreaOfPoints) {
   const Shape cloud = test::random_points(test::sphere(3, 4), 400, 2);
   const Shape mesh = splats(cloud);
   const Eigen::VectorXd weights = point_weights(cloud.vertices);
@@ -71,7 +71,7 @@ TEST(Splats, AreRegularHexagonsOfTheArea) {
   }
 }
 
-TEST(Splats, OfRandomPointsInAPlaneCoverIt) {
+TEST(Splats, CoverAPlaneOfRandomPoints) {
   RandomNumbers random(3);
   constexpr Eigen::Index count = 1500;
   Shape cloud{Points::Zero(count, 3), {}, {}};

@@ -36,7 +36,7 @@ TEST(AutomaticOffset, ClosesTheGapsOfACrackedMesh) {
   EXPECT_NEAR(mean_with(cracked), mean_with(torus), 0.02);
 }
 
-TEST(AutomaticOffset, IsTwiceTheNoise) {
+TEST(AutomaticOffset, IsTwiceTheNoiseLevelOfANoisyMesh) {
   RandomNumbers random(1);
   const Shape noisy =
       vertex_noise(test::sphere(1, 5), {.amplitude = 0.01, .distribution = NoiseDistribution::gaussian}, random);
@@ -66,7 +66,7 @@ TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
   }
 }
 
-TEST(AutomaticOffset, SaysWhereTheMostIsNotEnough) {
+TEST(AutomaticOffset, ReportsIfTheMaximumDoesNotCloseTheGaps) {
   const Shape sparse = test::random_points(test::sphere(1, 4), 300, 1);
   const AutomaticOffset chosen = automatic_offset(sparse);
   EXPECT_GT(chosen.gap, 0.05);
@@ -74,7 +74,7 @@ TEST(AutomaticOffset, SaysWhereTheMostIsNotEnough) {
   EXPECT_FALSE(chosen.sufficient);
 }
 
-TEST(AutomaticOffset, GoesWithTheShapeWhateverTheScale) {
+TEST(AutomaticOffset, DoesNotDependOnTheScaleOfTheShape) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
   const double offset = automatic_offset(cloud).offset;
   for (const double scale : {1e-30, 1e30}) {
@@ -83,7 +83,7 @@ TEST(AutomaticOffset, GoesWithTheShapeWhateverTheScale) {
   }
 }
 
-TEST(AutomaticOffset, RefusesWhatHasNoExtent) {
+TEST(AutomaticOffset, RejectsShapesWithoutExtentOrWithInvalidIndices) {
   EXPECT_THROW(automatic_offset(Shape{}), InputError);
   EXPECT_THROW(automatic_offset(Shape{Points::Ones(5, 3), {}}), InputError);
   Shape unusable = test::sphere(1, 1);

@@ -83,8 +83,8 @@ double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-class ConeSdfSites : public testing::TestWithParam<SampleSite> {};
-INSTANTIATE_TEST_SUITE_P(Both, ConeSdfSites, testing::Values(SampleSite::faces, SampleSite::vertices),
+class ConeSdfAtEachSite : public testing::TestWithParam<SampleSite> {};
+INSTANTIATE_TEST_SUITE_P(Both, ConeSdfAtEachSite, testing::Values(SampleSite::faces, SampleSite::vertices),
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
 
 double relative_error_on_sphere(int subdivisions, SampleSite site, const ConeSdfOptions& options, double expected) {
@@ -102,7 +102,7 @@ double chord_error_bound(int subdivisions, double opening) {
   return depth / (cosine * cosine);
 }
 
-TEST_P(ConeSdfSites, SphereConvergesToTheMeanOfItsChords) {
+TEST_P(ConeSdfAtEachSite, OfASphereConvergesToTheMeanChordLength) {
   for (const double opening : {60.0, 120.0}) {
     for (const int rays : {1, 2}) {  // too few for outliers: the value depends smoothly on the mesh
       const auto chord = [](const ConeRay& ray) { return 4 * std::cos(ray.from_axis); };
@@ -121,7 +121,7 @@ TEST_P(ConeSdfSites, SphereConvergesToTheMeanOfItsChords) {
   }
 }
 
-TEST_P(ConeSdfSites, SphereWithoutTheOutliersOfManyRays) {
+TEST_P(ConeSdfAtEachSite, OfASphereIsTheMeanChordWithoutOutliers) {
   for (const double opening : {60.0, 120.0}) {
     for (const int rays : {25, 60}) {
       const auto chord = [](const ConeRay& ray) { return 4 * std::cos(ray.from_axis); };
@@ -135,7 +135,7 @@ TEST_P(ConeSdfSites, SphereWithoutTheOutliersOfManyRays) {
   }
 }
 
-TEST_P(ConeSdfSites, SlabAwayFromItsRim) {
+TEST_P(ConeSdfAtEachSite, OfASlabIsTheMeanChordAwayFromItsRim) {
   const double thickness = 0.7;
   const Shape slab = test::box({20 * thickness, 20 * thickness, thickness}, 11);
   const Samples samples = sample_shape(slab, GetParam());
@@ -150,7 +150,7 @@ TEST_P(ConeSdfSites, SlabAwayFromItsRim) {
   EXPECT_GT(inner, 100);
 }
 
-TEST_P(ConeSdfSites, NoRayIsLostAtEdgesThatFaceEachOther) {
+TEST_P(ConeSdfAtEachSite, LosesNoRayAtOppositeEdges) {
   // The rays from the vertices of one side pass exactly through vertices and edges of the other.
   const Shape slab = test::box({10, 10, 1}, 40);
   const Samples samples = sample_shape(slab, GetParam());
@@ -162,7 +162,7 @@ TEST_P(ConeSdfSites, NoRayIsLostAtEdgesThatFaceEachOther) {
   }
 }
 
-TEST_P(ConeSdfSites, CapsuleOnItsSide) {
+TEST_P(ConeSdfAtEachSite, OfACapsuleIsTheMeanChordOnItsSide) {
   const double radius = 0.5;
   // In the cross-section a chord at an angle from the diameter; along the axis it is longer by the slope.
   const auto length = [&](const ConeRay& ray) {
@@ -187,7 +187,7 @@ TEST_P(ConeSdfSites, CapsuleOnItsSide) {
   }
 }
 
-TEST_P(ConeSdfSites, FollowsScaleAndIgnoresPlace) {
+TEST_P(ConeSdfAtEachSite, ScalesWithTheShapeAndIgnoresTranslation) {
   const Shape torus = generic(test::torus(3, 1, 20, 40));
   const ConeSdfResult expected = cone_sdf_at(torus, GetParam());
   ASSERT_EQ(expected.missing, 0U);
@@ -199,7 +199,7 @@ TEST_P(ConeSdfSites, FollowsScaleAndIgnoresPlace) {
   }
 }
 
-TEST_P(ConeSdfSites, RotationTurnsTheSpiralOnly) {
+TEST_P(ConeSdfAtEachSite, MeanChangesByLessThanOnePercentUnderRotation) {
   const Shape torus = test::torus(3, 1, 40, 80);
   const ConeSdfResult before = cone_sdf_at(torus, GetParam());
   for (unsigned seed = 1; seed < 4; ++seed) {
@@ -213,7 +213,7 @@ TEST_P(ConeSdfSites, RotationTurnsTheSpiralOnly) {
   EXPECT_LT(largest_difference(cone_sdf_at(sphere, GetParam()).values, cone_sdf_at(turned, GetParam()).values), 1e-2);
 }
 
-TEST_P(ConeSdfSites, FollowsTheOrderOfTheShape) {
+TEST_P(ConeSdfAtEachSite, FollowsTheOrderOfTrianglesAndVertices) {
   const Shape torus = generic(test::torus(3, 1, 20, 40));
   const test::Permuted permuted = test::permuted(torus, 3);
   const Eigen::VectorXd before = cone_sdf_at(torus, GetParam()).values;
@@ -222,14 +222,14 @@ TEST_P(ConeSdfSites, FollowsTheOrderOfTheShape) {
   for (Eigen::Index i = 0; i < after.size(); ++i) EXPECT_NEAR(after[i], before[order[i]], 1e-9);
 }
 
-TEST_P(ConeSdfSites, NothingIsHitFromAConvexShapeTurnedInsideOut) {
+TEST_P(ConeSdfAtEachSite, IsMissingOnAConvexShapeTurnedInsideOut) {
   const Shape box = test::flipped(test::box({1, 2, 3}, 3));
   const ConeSdfResult result = cone_sdf_at(box, GetParam());
   EXPECT_TRUE(result.values.array().isNaN().all());
   EXPECT_EQ(result.missing, static_cast<std::size_t>(result.values.size()));
 }
 
-TEST(ConeSdf, HitsOnFacesTurnedInwardsDoNotCount) {
+TEST(ConeSdf, IgnoresHitsOnReversedFaces) {
   Shape slab = test::box({20, 20, 1}, 4);
   const Samples samples = sample_shape(slab, SampleSite::faces);
   for (Eigen::Index f = 0; f < slab.triangles.rows(); ++f) {
@@ -257,7 +257,7 @@ Shape tetrahedron_with_edge_through(const Eigen::RowVector3d& point, const std::
   return shape;
 }
 
-TEST(ConeSdf, NoRayIsLostAtAnEdge) {
+TEST(ConeSdf, LosesNoRayAtAnEdge) {
   std::mt19937 random(1);
   const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const ConeRay ray = cone_rays(60, 2)[1];
@@ -271,7 +271,7 @@ TEST(ConeSdf, NoRayIsLostAtAnEdge) {
   }
 }
 
-TEST(ConeSdf, FacesListedTwiceDoNotEndEachOthersRays) {
+TEST(ConeSdf, DoesNotChangeIfAllFacesAreDuplicated) {
   const Shape torus = generic(test::torus(3, 1, 20, 40));
   const Eigen::VectorXd once = cone_sdf_at(torus, SampleSite::faces).values;
   const Eigen::VectorXd twice = cone_sdf_at(test::joined({torus, torus}), SampleSite::faces).values;
@@ -279,7 +279,7 @@ TEST(ConeSdf, FacesListedTwiceDoNotEndEachOthersRays) {
   EXPECT_EQ(twice.tail(once.size()), once);
 }
 
-TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {
+TEST(ConeSdf, IsMissingAndCountedForDegenerateTriangles) {
   Shape sphere = test::sphere(1, 2);
   const ConeSdfResult before = cone_sdf_at(sphere, SampleSite::faces);
   const Eigen::Index count = sphere.triangles.rows();
@@ -291,13 +291,13 @@ TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {
   EXPECT_EQ(result.values.head(count), before.values);
 }
 
-TEST(ConeSdf, VerticesDoubledAlongSeamsDoNotEndTheirOwnRays) {
+TEST(ConeSdf, IgnoresHitsAtDuplicatedVerticesOfASoup) {
   const ConeSdfResult result = cone_sdf_at(test::soup(test::sphere(1, 3)), SampleSite::vertices);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_GT(result.values.minCoeff(), 1.8);
 }
 
-TEST(ConeSdf, UnusedVerticesHaveNoValue) {
+TEST(ConeSdf, IsMissingAtUnusedVertices) {
   Shape sphere = test::sphere(1, 2);
   sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
   sphere.vertices.bottomRows<1>() << 0.1, 0.2, 0.3;
@@ -322,7 +322,7 @@ TEST(ConeSdf, RefusesOptionsOutOfRange) {
   EXPECT_NO_THROW(with(179, 1));
 }
 
-TEST(ConeSdf, RefusesWhatItCannotAnswer) {
+TEST(ConeSdf, RejectsCloudsEmptyShapesAndSamplesOfAnotherMesh) {
   const Shape sphere = test::sphere(1, 1);
   ConeSdfOptions options;
   options.postprocess = true;

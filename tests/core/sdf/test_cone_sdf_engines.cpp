@@ -40,7 +40,7 @@ double defined_mean(std::vector<double> values) {
 
 double mean_of(std::vector<double> values) { return mean_without_outliers(values); }
 
-TEST(MeanWithoutOutliers, LeavesOutWhatIsFarFromTheMedian) {
+TEST(MeanWithoutOutliers, ExcludesValuesFarFromTheMedian) {
   EXPECT_EQ(mean_of({4}), 4);
   EXPECT_EQ(mean_of({1, 3}), 2);
   EXPECT_EQ(mean_of({5, 2, 2, 2}), 2);
@@ -49,7 +49,7 @@ TEST(MeanWithoutOutliers, LeavesOutWhatIsFarFromTheMedian) {
 }
 
 /// Values of a few kinds, so that many are equal, or any at all.
-RC_GTEST_PROP(MeanWithoutOutliers, IsTheDefinition, (bool many_equal)) {
+RC_GTEST_PROP(MeanWithoutOutliers, MatchesADirectImplementation, (bool many_equal)) {
   const int count = *rc::gen::inRange(1, 200);
   std::vector<double> values;
   for (int i = 0; i < count; ++i) {
@@ -83,13 +83,13 @@ void expect_agreement(const Shape& shape) {
   }
 }
 
-TEST(ConeSdfCgal, BothEnginesAgree) {
+TEST(ConeSdfCgal, ValuesMatchEmbree) {
   expect_agreement(turned(test::torus(3, 1, 20, 40)));
   expect_agreement(turned(test::capsule(0.5, 3, 20, 5)));
   expect_agreement(turned(test::joined({test::sphere(1, 2), test::sphere(0.3, 1)})));
 }
 
-TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
+TEST(ConeSdfCgal, ValuesMatchEmbreeOnBenchmarkMeshes) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
   for (const char* const name : {"T0.off", "T350.off", "T550.off"}) {
@@ -97,7 +97,7 @@ TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
   }
 }
 
-TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
+TEST(ConeSdfCgal, ValuesMatchEmbreeOnAShapeTurnedInsideOut) {
   const Shape torus = turned(test::flipped(test::torus(3, 1, 20, 40)));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus);
   EXPECT_GT(result.missing, 0U);
@@ -114,7 +114,7 @@ TEST(ConeSdfCgal, PostprocessingScalesToTheUnitIntervalAndFillsMissingValues) {
   }
 }
 
-TEST(ConeSdfCgal, PostprocessingWithoutAnyValueLeavesAllMissing) {
+TEST(ConeSdfCgal, PostprocessingFillsNoValuesIfAllAreMissing) {
   const Shape box = test::flipped(test::box({1, 2, 3}, 2));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, box, true);
   EXPECT_EQ(result.missing, static_cast<std::size_t>(box.triangles.rows()));
@@ -130,7 +130,7 @@ TEST(ConeSdfCgal, RefusesMeshesWithoutArea) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("no area")));
 }
 
-TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
+TEST(ConeSdfCgal, RejectsMeshesThatAreNotOrientedManifolds) {
   const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_NO_THROW(cone_sdf_by(ConeSdfEngine::cgal, box));
   Shape one_turned = box;
@@ -148,7 +148,7 @@ TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
   }
 }
 
-TEST(ConeSdfCgal, AnswersAtFacesOnly) {
+TEST(ConeSdfCgal, RejectsSamplesAtVertices) {
   const Shape sphere = test::sphere(1, 1);
   ConeSdfOptions options;
   options.engine = ConeSdfEngine::cgal;

@@ -16,7 +16,7 @@ double share_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double to
 }
 
 /// A torus, whose samples are measured on it and on damaged versions of it.
-class DamagedTorus : public testing::Test {
+class OffsetSdfOfADamagedTorus : public testing::Test {
  protected:
   /// That the SDF at the torus' faces stays where the surface is given by another shape.
   void expect_same_in(const Shape& shape) const {
@@ -32,14 +32,14 @@ class DamagedTorus : public testing::Test {
   Eigen::VectorXd clean = offset_sdf(torus, samples, {.offset = offset}).values;
 };
 
-TEST_F(DamagedTorus, FacesTurnedOver) {
+TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedByReversedFaces) {
   for (const double fraction : {0.1, 0.5, 1.0}) {
     RandomNumbers random(1);
     expect_same_in(flip_orientation(torus, fraction, random));
   }
 }
 
-TEST_F(DamagedTorus, FacesTwiceAndOnBothSides) {
+TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedByDuplicatedAndTwoSidedFaces) {
   Shape twice = torus;
   twice.triangles.conservativeResize(2 * torus.triangles.rows(), 3);
   twice.triangles.bottomRows(torus.triangles.rows()) = torus.triangles;
@@ -48,7 +48,7 @@ TEST_F(DamagedTorus, FacesTwiceAndOnBothSides) {
   expect_same_in(twice);
 }
 
-TEST_F(DamagedTorus, VerticesSplitAndNotUsed) {
+TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedBySplitAndUnusedVertices) {
   expect_same_in(test::soup(torus));
   Shape with_others = torus;
   with_others.vertices.conservativeResize(torus.vertices.rows() + 2, 3);
@@ -56,7 +56,7 @@ TEST_F(DamagedTorus, VerticesSplitAndNotUsed) {
   expect_same_in(with_others);
 }
 
-TEST_F(DamagedTorus, DebrisInside) {
+TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedByDebrisInside) {
   std::vector<Shape> parts = {torus};
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.5 * i;

@@ -18,7 +18,7 @@ namespace shapegauge {
 namespace {
 
 /// The rows of the shape given, by triangle or vertex of the doubled one.
-const std::vector<std::int32_t>& origins(const test::DoubledShape& doubled, SampleSite site) {
+const std::vector<std::int32_t>& origins(const test::ShapeWithDuplicates& doubled, SampleSite site) {
   return site == SampleSite::faces ? doubled.triangles : doubled.vertices;
 }
 
@@ -33,13 +33,13 @@ void expect_same_bits(const Eigen::VectorXd& found, const Eigen::VectorXd& expec
 constexpr std::array sites{SampleSite::faces, SampleSite::vertices};
 
 class DoubledTriangles : public testing::TestWithParam<test::NamedShape> {};
-INSTANTIATE_TEST_SUITE_P(Shapes, DoubledTriangles, testing::ValuesIn(test::shapes_without_doubles()));
+INSTANTIATE_TEST_SUITE_P(Shapes, DoubledTriangles, testing::ValuesIn(test::shapes_without_duplicates()));
 
-TEST_P(DoubledTriangles, HaveTheSamplesOfTheirFirstAndWeighNothing) {
+TEST_P(DoubledTriangles, HaveTheSamplesOfTheFirstCopyWithWeightZero) {
   const Shape& shape = GetParam().shape;
   for (const SampleSite site : sites) {
     const Samples expected = sample_shape(shape, site);
-    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+    for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
       SCOPED_TRACE(doubled.name);
       const Samples found = sample_shape(doubled.shape, site);
       EXPECT_TRUE(found.points == expected.points(origins(doubled, site), Eigen::all));
@@ -55,9 +55,9 @@ TEST_P(DoubledTriangles, HaveTheSamplesOfTheirFirstAndWeighNothing) {
   }
 }
 
-TEST_P(DoubledTriangles, AreNotSampledMoreDensely) {
+TEST_P(DoubledTriangles, HaveTheRandomSamplesOfTheMeshWithoutDuplicates) {
   const Samples expected = sample_surface(GetParam().shape, 300);
-  for (const test::DoubledShape& doubled : test::doublings(GetParam().shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(GetParam().shape)) {
     SCOPED_TRACE(doubled.name);
     const Samples found = sample_surface(doubled.shape, 300);
     EXPECT_TRUE(found.points == expected.points);
@@ -68,7 +68,7 @@ TEST_P(DoubledTriangles, AreNotSampledMoreDensely) {
 
 TEST_P(DoubledTriangles, DoNotChangeTheAutomaticOffset) {
   const AutomaticOffset expected = automatic_offset(GetParam().shape);
-  for (const test::DoubledShape& doubled : test::doublings(GetParam().shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(GetParam().shape)) {
     SCOPED_TRACE(doubled.name);
     const AutomaticOffset found = automatic_offset(doubled.shape);
     EXPECT_EQ(found.offset, expected.offset);
@@ -81,7 +81,7 @@ TEST_P(DoubledTriangles, DoNotChangeTheOffsetSdf) {
   const Shape& shape = GetParam().shape;
   for (const SampleSite site : sites) {
     const OffsetSdfResult expected = offset_sdf(shape, sample_shape(shape, site), {.offset = 0.02});
-    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+    for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
       SCOPED_TRACE(doubled.name);
       const OffsetSdfResult found = offset_sdf(doubled.shape, sample_shape(doubled.shape, site), {.offset = 0.02});
       expect_same_bits(found.values, expected.values(origins(doubled, site)));
@@ -91,7 +91,7 @@ TEST_P(DoubledTriangles, DoNotChangeTheOffsetSdf) {
     }
   }
   const OffsetSdfResult expected = offset_sdf(shape, sample_surface(shape, 200), {.offset = 0.02});
-  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
     SCOPED_TRACE(doubled.name);
     expect_same_bits(offset_sdf(doubled.shape, sample_surface(doubled.shape, 200), {.offset = 0.02}).values,
                      expected.values);
@@ -102,7 +102,7 @@ TEST_P(DoubledTriangles, DoNotChangeTheConventionalSdf) {
   const Shape& shape = GetParam().shape;
   for (const SampleSite site : sites) {
     const ConeSdfResult expected = cone_sdf(shape, sample_shape(shape, site), {});
-    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+    for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
       SCOPED_TRACE(doubled.name);
       const ConeSdfResult found = cone_sdf(doubled.shape, sample_shape(doubled.shape, site), {});
       expect_same_bits(found.values, expected.values(origins(doubled, site)));
@@ -110,17 +110,17 @@ TEST_P(DoubledTriangles, DoNotChangeTheConventionalSdf) {
     }
   }
   const ConeSdfResult expected = cone_sdf(shape, sample_surface(shape, 200), {});
-  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
     SCOPED_TRACE(doubled.name);
     expect_same_bits(cone_sdf(doubled.shape, sample_surface(doubled.shape, 200), {}).values, expected.values);
   }
 }
 
-TEST(OffsetSdfOfSomeVertices, TakesDoubledTriangles) {
+TEST(OffsetSdfOfSomeVertices, IsUnchangedByDoubledTriangles) {
   const Shape torus = test::torus(1, 0.35, 16, 24);
   const Eigen::VectorXd expected =
       offset_sdf(torus, sample_shape(torus, SampleSite::vertices), {.offset = 0.02}).values.head(10);
-  for (const test::DoubledShape& doubled : test::doublings(torus)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(torus)) {
     SCOPED_TRACE(doubled.name);
     Samples some = sample_shape(doubled.shape, SampleSite::vertices);
     some.points.conservativeResize(10, Eigen::NoChange);
@@ -132,11 +132,11 @@ TEST(OffsetSdfOfSomeVertices, TakesDoubledTriangles) {
   }
 }
 
-TEST(ConeSdfWithCgal, TakesDoubledTriangles) {
+TEST(ConeSdfWithCgal, IsUnchangedByDoubledTriangles) {
   const Shape torus = test::torus(1, 0.35, 8, 12);
   const ConeSdfOptions options{.engine = ConeSdfEngine::cgal, .rays = 9};
   const ConeSdfResult expected = cone_sdf(torus, sample_shape(torus, SampleSite::faces), options);
-  for (const test::DoubledShape& doubled : test::doublings(torus)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(torus)) {
     SCOPED_TRACE(doubled.name);
     const ConeSdfResult found = cone_sdf(doubled.shape, sample_shape(doubled.shape, SampleSite::faces), options);
     expect_same_bits(found.values, expected.values(doubled.triangles));

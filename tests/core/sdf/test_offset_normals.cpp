@@ -34,7 +34,7 @@ TEST(OffsetNormals, OfAFineSphereAreWithinADegree) {
   }
 }
 
-TEST(OffsetNormals, DoNotNeedTheOrientation) {
+TEST(OffsetNormals, DoNotDependOnTheOrientationOfFaces) {
   RandomNumbers random(1);
   const Shape mixed = flip_orientation(test::sphere(1, 5), 0.5, random);
   const Samples faces = sample_shape(mixed, SampleSite::faces);
@@ -53,7 +53,7 @@ TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
   }
 }
 
-TEST(OffsetNormals, HalveTheErrorWhereNoiseIsAsLargeAsEdges) {
+TEST(OffsetNormals, HalveTheErrorIfNoiseIsAsLargeAsEdges) {
   // Edges are 0.011 of the diagonal long. At vertices, where the faces' normals average, it takes stronger noise; below
   // that the offset surface is no better (docs/notes/reproducing.md, Fig 5).
   for (const auto& [noise, site] :
@@ -68,7 +68,7 @@ TEST(OffsetNormals, HalveTheErrorWhereNoiseIsAsLargeAsEdges) {
   }
 }
 
-TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
+TEST(OffsetNormals, AreZeroForSamplesOffTheSurface) {
   Shape sphere = test::sphere(1, 2);
   sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
   sphere.vertices.bottomRows(1) << 0.5, 0, 0;
@@ -77,7 +77,7 @@ TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
   EXPECT_TRUE(result.normals.bottomRows(1).isZero(0));
 }
 
-TEST(OffsetNormals, RefusesWhatTheOffsetSdfRefuses) {
+TEST(OffsetNormals, RejectInvalidOffsets) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(offset_sdf(sphere, sample_shape(sphere, SampleSite::faces), {.offset = 0}), InputError);
 }

@@ -29,7 +29,7 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
   }
 }
 
-TEST(DisjointSets, AreNamedByTheirSmallestIndex) {
+TEST(DisjointSets, AreIdentifiedByTheirSmallestIndex) {
   DisjointSets sets;
   sets.grow_to(6);
   for (std::int32_t i = 0; i < 6; ++i) EXPECT_EQ(sets.find(i), i);
@@ -54,13 +54,13 @@ TEST(DisjointSets, KeepEarlierUnionsWhenGrowing) {
   EXPECT_EQ(sets.find(3), 3);
 }
 
-TEST(MergedByPlace, MapsVerticesToTheFirstAtTheirPosition) {
+TEST(WeldedVertices, MapToTheFirstVertexAtTheSamePosition) {
   const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
   EXPECT_EQ(welded_vertices(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
   EXPECT_TRUE(welded_vertices(Points(0, 3)).empty());
 }
 
-TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
+TEST(HalfEdges, OfTwoAdjacentTrianglesShareTheCommonEdge) {
   const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
   const std::vector<std::int32_t> merged{0, 1, 2, 3};
   const std::vector<HalfEdge> uses = half_edges(triangles, merged);
@@ -81,7 +81,7 @@ TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
 }
 
-TEST(EdgeUses, UsesWeldedVertices) {
+TEST(HalfEdges, ConnectWeldedVertices) {
   const std::vector<HalfEdge> uses =
       half_edges(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 3, 1, 2});
   std::vector<std::size_t> sizes;
@@ -89,21 +89,21 @@ TEST(EdgeUses, UsesWeldedVertices) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
 }
 
-TEST(EdgeUses, CountsDoubledTrianglesOnce) {
+TEST(HalfEdges, OfDoubledTrianglesAreCountedOnce) {
   const std::vector<HalfEdge> uses =
       half_edges(Triangles{{0, 1, 2}, {5, 4, 3}, {0, 1, 2}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
   ASSERT_EQ(uses.size(), 3U);
   for (const HalfEdge& use : uses) EXPECT_EQ(use.triangle, 0);
 }
 
-TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
+TEST(Closedness, HoldsForClosedSurfacesOfAnyOrientation) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_TRUE(is_closed(sphere));
   EXPECT_TRUE(is_closed(test::flipped(sphere)));
   EXPECT_TRUE(is_closed(test::joined({sphere, test::torus(3, 1, 12, 8)})));
 }
 
-TEST(Closedness, HoldsWhereTwoBodiesShareAnEdge) {
+TEST(Closedness, HoldsIfTwoBodiesShareAnEdge) {
   Shape pair{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, .triangles = {}};
   pair.triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 4}, {0, 1, 5}, {0, 4, 5}, {1, 4, 5}};
   EXPECT_TRUE(is_closed(pair)) << "four triangles meet at the edge from 0 to 1";
@@ -111,7 +111,7 @@ TEST(Closedness, HoldsWhereTwoBodiesShareAnEdge) {
   EXPECT_FALSE(is_closed(pair));
 }
 
-TEST(Closedness, IsLostWithOneTriangle) {
+TEST(Closedness, FailsIfOneTriangleIsMissing) {
   Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
   EXPECT_FALSE(is_closed(sphere));
@@ -139,7 +139,7 @@ TEST(Closedness, IgnoresDegenerateTriangles) {
   }
 }
 
-TEST(Closedness, WeldsVertices) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
+TEST(Closedness, HoldsForAClosedTriangleSoup) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, IgnoresTrianglesWithARepeatedCorner) {
   Shape sphere = test::sphere(1, 1);

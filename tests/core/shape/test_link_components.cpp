@@ -15,7 +15,7 @@ Points on_a_line(const std::vector<double>& places) {
   return points;
 }
 
-TEST(NearestSegments, LeadToTheNearestPointsWithTheirDistances) {
+TEST(NearestSegments, JoinEachPointToItsNearestNeighbour) {
   for (const Segment& segment : nearest_segments(on_a_line({0, 1, 3}), 1)) {
     const bool left = std::min(segment.a, segment.b) == 0;
     EXPECT_EQ(std::max(segment.a, segment.b), left ? 1 : 2);
@@ -44,7 +44,7 @@ TEST(LinkComponents, LinksAllComponentsByShortestSegments) {
   EXPECT_FALSE(has(0, 4));
 }
 
-TEST(LinkComponents, KeepsASingleComponent) {
+TEST(LinkComponents, AddsNoLinksToASingleComponent) {
   std::vector<Segment> segments{{0, 1, 1}, {1, 2, 2}};
   EXPECT_EQ(link_components(on_a_line({0, 1, 3}), 1, segments), 1);
   EXPECT_EQ(segments.size(), 2U);

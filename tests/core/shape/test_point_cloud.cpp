@@ -51,7 +51,7 @@ TEST(PointNeighbours, IncludeCoincidentPoints) {
   }
 }
 
-TEST(PointNeighbours, AreAtMostAllOtherPoints) {
+TEST(PointNeighbours, AreNoMoreThanAllOtherPoints) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}};
   const PointNeighbours found = nearest_neighbours(points, 8);
   EXPECT_EQ(found.indices.cols(), 2);
@@ -153,7 +153,7 @@ TEST(PointNormals, MatchTheSidesOfABoxUpToItsEdges) {
   EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), sides), by_variance);
 }
 
-TEST(PointNormals, OfPointsOnALineAreAcrossIt) {
+TEST(PointNormals, OfPointsOnALineArePerpendicularToIt) {
   const Eigen::RowVector3d along = Eigen::RowVector3d(1, 2, 3).normalized();
   Points points(50, 3);
   for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = static_cast<double>(i) * along;
@@ -187,7 +187,7 @@ Points scattered(unsigned seed, Eigen::Index count) {
   return random_points(test::torus(2, 0.5, 30, 60), count, seed).vertices;
 }
 
-TEST(PointWeights, SumToTheAreaOfTheSurface) {
+TEST(PointWeights, SumToTheSurfaceArea) {
   // The relative standard deviation of a weight is about 1/sqrt(8), that of the sum of 10,000, which overlap, 1 %.
   EXPECT_NEAR(bias(test::sphere(3, 5), 10'000), 0, 0.03);
   EXPECT_NEAR(bias(test::torus(2, 0.4, 40, 120), 10'000), 0, 0.03);
@@ -195,7 +195,7 @@ TEST(PointWeights, SumToTheAreaOfTheSurface) {
   EXPECT_NEAR(bias(test::box({1, 2, 3}, 1), 10'000), 0, 0.03);
 }
 
-TEST(PointWeights, FollowTheDensity) {
+TEST(PointWeights, AreInverselyProportionalToTheDensity) {
   // Equally many points on both spheres.
   Shape small = random_points(test::sphere(1, 4), 4000, 1);
   small.vertices.col(0).array() += 20;
@@ -207,7 +207,7 @@ TEST(PointWeights, FollowTheDensity) {
   EXPECT_NEAR(weights.tail(4000).sum() / (400 * std::numbers::pi), 1, 0.04);
 }
 
-TEST(PointWeights, OverestimateAGridByATenth) {
+TEST(PointWeights, OverestimateTheAreaOfARegularGridByATenth) {
   // The disc to the k-th neighbour holds k + 1/2 points of a grid on the average, instead of k.
   const Shape mesh = test::sphere(1, 5);
   const double ratio = point_weights(mesh.vertices).sum() / surface_area(mesh);
@@ -249,7 +249,7 @@ TEST(PointWeights, DuplicatesShareTheWeightOfOnePoint) {
   EXPECT_DOUBLE_EQ(weights[8], expected[8]);
 }
 
-TEST(PointWeights, BoundTheWeightOfAnOutlier) {
+TEST(PointWeights, LimitTheWeightOfAnOutlier) {
   const Points cluster = scattered(1, 2000);
   const Eigen::VectorXd alone = point_weights(cluster);
   for (const double distance : {10.0, 1e3, 1e9}) {
@@ -265,7 +265,7 @@ TEST(PointWeights, BoundTheWeightOfAnOutlier) {
   }
 }
 
-TEST(PointWeights, CapAffectsFewPointsOfASurface) {
+TEST(PointWeights, ReachTheLimitAtFewPointsOfASurface) {
   const Points points = scattered(1, 5000);
   const Eigen::VectorXd weights = point_weights(points);
   // Without the cap, a weight is distributed much as Gamma(8)/8 in units of the mean: above 3.5 once in 100,000 points.
@@ -273,7 +273,7 @@ TEST(PointWeights, CapAffectsFewPointsOfASurface) {
   EXPECT_GT(weights.maxCoeff() / weights.mean(), 2);
 }
 
-TEST(PointWeights, OfFewPoints) {
+TEST(PointWeights, OfFewOrCoincidentPointsAreDefined) {
   EXPECT_EQ(point_weights(Points(0, 3)).size(), 0);
   EXPECT_EQ(point_weights(Points::Ones(1, 3)), Eigen::VectorXd::Zero(1));
   EXPECT_EQ(point_weights(Points::Ones(50, 3)), Eigen::VectorXd::Zero(50));
@@ -281,7 +281,7 @@ TEST(PointWeights, OfFewPoints) {
   EXPECT_TRUE(point_weights(two).isApprox(Eigen::Vector2d::Constant(4 * std::numbers::pi), 1e-14));
 }
 
-TEST(PointWeights, OnALineAndInAPlane) {
+TEST(PointWeights, MatchTheDefinitionOnALineAndInAPlane) {
   Points line = Points::Zero(100, 3);
   line.col(1).setLinSpaced(100, 0, 99);
   // Away from the ends the neighbours 5 to 12 are 3, 3, 4, 4, 5, 5, 6 and 6 away.

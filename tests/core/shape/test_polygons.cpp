@@ -22,7 +22,7 @@ Shape mesh_of_three_polygons() {
   return shape;
 }
 
-TEST(Polygons, TakeTheLabelOfTheLargestArea) {
+TEST(Polygons, HaveTheLabelThatCoversTheLargestArea) {
   const Shape shape = mesh_of_three_polygons();
   EXPECT_THAT(labels_of_polygons(shape, Labels{4, 3, 4, 2}), ElementsAre(3, 0, 2)) << "as much of both";
   EXPECT_THAT(labels_of_polygons(shape, Labels{4, 5, 5, 2}), ElementsAre(5, 0, 2));
@@ -37,18 +37,18 @@ TEST(Polygons, GiveTheirLabelToTheirTriangles) {
   EXPECT_THAT(labels_of_triangles(mesh_of_three_polygons(), Labels{7, 8, 9}), ElementsAre(7, 7, 7, 9));
 }
 
-TEST(Polygons, ShareTheirWeightEvenly) {
+TEST(Polygons, DivideTheirWeightEvenlyAmongTriangles) {
   EXPECT_THAT(polygon_shares(mesh_of_three_polygons()), ElementsAre(1.0 / 3, 1.0 / 3, 1.0 / 3, 1));
 }
 
-TEST(Polygons, AreReportedForMeshesWithThem) {
+TEST(Polygons, AreReportedOnlyForMeshesWithPolygons) {
   Shape shape = mesh_of_three_polygons();
   EXPECT_TRUE(polygon_note(shape));
   shape.polygons = {};
   EXPECT_FALSE(polygon_note(shape));
 }
 
-TEST(Polygons, AreDroppedIfTheListOfTrianglesChanges) {
+TEST(Polygons, AreDroppedIfTrianglesAreRemoved) {
   RandomNumbers random(1);
   EXPECT_TRUE(has_polygons(vertex_noise(mesh_of_three_polygons(), {.amplitude = 0.1}, random)));
   EXPECT_TRUE(has_polygons(flip_orientation(mesh_of_three_polygons(), 0.5, random)));

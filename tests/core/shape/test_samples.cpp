@@ -16,11 +16,11 @@ namespace {
 
 using test::Permuted;
 
-class SampleSites : public testing::TestWithParam<SampleSite> {};
-INSTANTIATE_TEST_SUITE_P(Both, SampleSites, testing::Values(SampleSite::faces, SampleSite::vertices),
+class SamplesAtEachSite : public testing::TestWithParam<SampleSite> {};
+INSTANTIATE_TEST_SUITE_P(Both, SamplesAtEachSite, testing::Values(SampleSite::faces, SampleSite::vertices),
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
 
-TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
+TEST_P(SamplesAtEachSite, HaveWeightsThatSumToTheSurfaceArea) {
   for (const Shape& shape :
        {test::sphere(2, 3), test::box({1, 2, 3}, 4), test::capsule(0.1, 20, 12, 3), test::torus(3, 1, 10, 40)}) {
     const Samples samples = sample_shape(shape, GetParam());
@@ -30,14 +30,14 @@ TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
   }
 }
 
-TEST_P(SampleSites, NormalsOfASpherePointAwayFromItsCentre) {
+TEST_P(SamplesAtEachSite, HaveOutwardNormalsOnASphere) {
   const Samples samples = sample_shape(test::sphere(2, 4), GetParam());
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     EXPECT_GT(samples.normals.row(i).dot(samples.points.row(i).normalized()), std::cos(0.01));
   }
 }
 
-TEST_P(SampleSites, MoveAndScaleWithTheShape) {
+TEST_P(SamplesAtEachSite, MoveAndScaleWithTheShape) {
   const Shape shape = test::capsule(1, 2, 12, 4);
   const Samples before = sample_shape(shape, GetParam());
   const Eigen::Matrix3d rotation = test::rotation(1);
@@ -50,7 +50,7 @@ TEST_P(SampleSites, MoveAndScaleWithTheShape) {
   }
 }
 
-TEST_P(SampleSites, FollowTheOrderOfTheShape) {
+TEST_P(SamplesAtEachSite, FollowTheOrderOfFacesAndVertices) {
   const Shape shape = test::box({1, 2, 3}, 3);
   const Permuted permuted = test::permuted(shape, 7);
   const Samples before = sample_shape(shape, GetParam());
@@ -64,7 +64,7 @@ TEST_P(SampleSites, FollowTheOrderOfTheShape) {
   }
 }
 
-TEST_P(SampleSites, DegenerateTrianglesHaveNoWeight) {
+TEST_P(SamplesAtEachSite, HaveZeroWeightOnDegenerateTriangles) {
   const Eigen::Vector3d a(1, 2, 3);
   const Eigen::Vector3d b(2, -1, 0.7);
   const Eigen::Vector3d on_the_line = a + (b - a) / 3;
@@ -77,7 +77,7 @@ TEST_P(SampleSites, DegenerateTrianglesHaveNoWeight) {
   }
 }
 
-TEST_P(SampleSites, TinyAndHugeTrianglesHaveNormals) {
+TEST_P(SamplesAtEachSite, HaveNormalsOnTinyAndHugeTriangles) {
   for (const double size : {1e-160, 1e150}) {
     const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}), GetParam());
     EXPECT_TRUE(samples.normals.row(0).isApprox(Eigen::RowVector3d(0, 0, 1), 1e-14));
@@ -85,13 +85,13 @@ TEST_P(SampleSites, TinyAndHugeTrianglesHaveNormals) {
   }
 }
 
-TEST(SampleFaces, CentroidAndArea) {
+TEST(SamplesAtFaces, AreCentroidsWithTheAreaAsWeight) {
   const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {3, 0, 0}, {0, 6, 0}}), SampleSite::faces);
   EXPECT_TRUE(samples.points.row(0).isApprox(Eigen::RowVector3d(1, 2, 0), 1e-14));
   EXPECT_DOUBLE_EQ(samples.weights[0], 9);
 }
 
-TEST(SampleVertices, AcuteTrianglesGiveVoronoiAreas) {
+TEST(SamplesAtVertices, HaveVoronoiAreasInAcuteTriangles) {
   // The circumcentre of this triangle is (2, 1.5): each corner's region is two right-angled triangles around it.
   const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 1.5 + 1.25, 1e-14);
@@ -99,14 +99,14 @@ TEST(SampleVertices, AcuteTrianglesGiveVoronoiAreas) {
   EXPECT_NEAR(samples.weights[2], 2.5, 1e-14);
 }
 
-TEST(SampleVertices, ObtuseTrianglesGiveHalfToTheObtuseCorner) {
+TEST(SamplesAtVertices, HaveHalfTheAreaAtAnObtuseCorner) {
   const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {1, 0, 0}, {-1, 1, 0}}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 0.25, 1e-15);
   EXPECT_NEAR(samples.weights[1], 0.125, 1e-15);
   EXPECT_NEAR(samples.weights[2], 0.125, 1e-15);
 }
 
-TEST(SampleVertices, CornerNormalDoesNotDependOnHowTheSidesAreCut) {
+TEST(SamplesAtVertices, NormalAtABoxCornerDoesNotDependOnTheTriangulation) {
   const Samples samples = sample_shape(test::box({2, 2, 2}, 2), SampleSite::vertices);
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     if (samples.points.row(i).norm() < std::sqrt(3.0) - 1e-9) continue;
@@ -114,7 +114,7 @@ TEST(SampleVertices, CornerNormalDoesNotDependOnHowTheSidesAreCut) {
   }
 }
 
-TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
+TEST(SamplesAtVertices, IncludeAllFacesAtANonManifoldEdge) {
   Shape fan = test::soup_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}});
   fan.vertices.conservativeResize(5, 3);
   fan.vertices.bottomRows<2>() << 0, 1, 0, -1, -1, 0;
@@ -123,7 +123,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).weights.sum(), surface_area(fan), 1e-14);
 }
 
-TEST(SampleVertices, NormalFollowsTheMajorityOfOrientations) {
+TEST(SamplesAtVertices, NormalFollowsTheMajorityOfFaceOrientations) {
   // Six equal triangles around a vertex, two of them flipped: the sum of normals is a third.
   Shape fan{.vertices = Points::Zero(7, 3), .triangles = {}};
   fan.triangles.resize(6, 3);
@@ -138,7 +138,7 @@ TEST(SampleVertices, NormalFollowsTheMajorityOfOrientations) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).normals(0, 2), -1, 1e-12);
 }
 
-TEST(SampleVertices, HaveNoNormalIfUnusedOrIfNormalsCancel) {
+TEST(SamplesAtVertices, HaveNoNormalIfUnusedOrIfFaceNormalsCancel) {
   // Two coplanar triangles of opposite orientation with vertex 0 in common.
   const Shape bow{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}},
                   Triangles{{0, 1, 2}, {0, 4, 3}}};
@@ -150,7 +150,7 @@ TEST(SampleVertices, HaveNoNormalIfUnusedOrIfNormalsCancel) {
   EXPECT_NEAR(samples.weights.sum(), 1, 1e-14);
 }
 
-TEST(SampleVertices, NormalsOfReversedTrianglesHaveTheirAxisIfTheyAreNearlyParallel) {
+TEST(SamplesAtVertices, NormalIsTheCommonAxisOfPartlyReversedTriangles) {
   const auto apex = [](double height, const Triangles& triangles) -> Eigen::RowVector3d {
     const Shape pyramid{Points{{0, 0, height}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, triangles};
     return sample_shape(pyramid, SampleSite::vertices).normals.row(0);
@@ -161,7 +161,7 @@ TEST(SampleVertices, NormalsOfReversedTrianglesHaveTheirAxisIfTheyAreNearlyParal
   EXPECT_NEAR(apex(5, Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}).z(), 1, 1e-12);
 }
 
-TEST(SampleVertices, OfADoubledSheetHaveTheNormalsOfTheFirst) {
+TEST(SamplesAtVertices, OfADoubledSheetHaveTheNormalsOfItsFirstLayer) {
   Shape sheet = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   sheet.triangles.conservativeResize(2, 3);
   sheet.triangles.bottomRows<1>() << 2, 1, 0;
@@ -170,9 +170,9 @@ TEST(SampleVertices, OfADoubledSheetHaveTheNormalsOfTheFirst) {
   EXPECT_NEAR(samples.weights.sum(), 0.5, 1e-15);
 }
 
-TEST(Samples, OfAnEmptyShape) { EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0); }
+TEST(Samples, OfAnEmptyShapeAreEmpty) { EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0); }
 
-TEST_P(SampleSites, OfACloudAreItsPoints) {
+TEST_P(SamplesAtEachSite, OfACloudAreItsPoints) {
   Shape cloud{test::box({1, 1, 1}, 3).vertices, {}, {}};
   const Samples without_normals = sample_shape(cloud, GetParam());
   EXPECT_EQ(without_normals.site, SampleSite::vertices);

@@ -11,18 +11,18 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Shape, EmptyShapeHasNoExtentAndNoArea) {
+TEST(Shape, HasNoExtentAndNoAreaIfEmpty) {
   EXPECT_EQ(bounding_box_diagonal(Shape{}), 0);
   EXPECT_EQ(surface_area(Shape{}), 0);
 }
 
-TEST(Shape, MeasuresOfABox) {
+TEST(Shape, DiagonalAndAreaOfABoxAreExact) {
   const Shape box = test::box({1, 2, 2}, 3);
   EXPECT_NEAR(bounding_box_diagonal(box), 3, 1e-14);
   EXPECT_NEAR(surface_area(box), 16, 1e-13);
 }
 
-TEST(TriangleNormal, FollowsTheOrderOfCornersAndIsZeroIfDegenerate) {
+TEST(TriangleNormal, FollowsTheOrderOfCornersAndIsZeroForDegenerateTriangles) {
   const Shape mesh{.vertices = Points{{0, 0, 0}, {3, 0, 0}, {0, 1e-200, 0}, {1e200, 0, 0}, {0, 1e200, 0}},
                    .triangles = Triangles{{0, 1, 2}, {0, 2, 1}, {0, 1, 1}, {0, 3, 4}}};
   EXPECT_EQ(triangle_normal(mesh, 0), Eigen::RowVector3d(0, 0, 1));
@@ -36,27 +36,27 @@ TEST(Shape, AreaOfATorusConvergesToTheFormula) {
   EXPECT_NEAR(surface_area(test::torus(3, 1, 200, 200)) / expected, 1, 1e-3);
 }
 
-TEST(Shape, IgnoresUnusedVertices) {
+TEST(Shape, DiagonalIgnoresUnusedVertices) {
   Shape box = test::box({1, 2, 2}, 1);
   box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
   box.vertices.bottomRows<1>() << 100, 100, 100;
   EXPECT_NEAR(bounding_box_diagonal(box), 3, 1e-14);
 }
 
-TEST(Shape, UsesAllPointsOfACloud) {
+TEST(Shape, DiagonalOfACloudUsesAllPoints) {
   Shape cloud = test::box({1, 2, 2}, 1);
   cloud.triangles.resize(0, 3);
   EXPECT_NEAR(bounding_box_diagonal(cloud), 3, 1e-14);
   EXPECT_EQ(surface_area(cloud), 0);
 }
 
-TEST(Validity, AcceptsValidShapes) {
+TEST(ShapeCheck, AcceptsValidShapes) {
   EXPECT_EQ(find_defect(test::box({1, 2, 0}, 1)), std::nullopt);
   EXPECT_EQ(find_defect(Shape{}), std::nullopt);
   EXPECT_NO_THROW(require_usable(test::sphere(1e300, 1)));
 }
 
-TEST(Validity, NamesTheFirstNonFiniteVertex) {
+TEST(ShapeCheck, NamesTheFirstNonFiniteVertex) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices(5, 2) = std::numeric_limits<double>::quiet_NaN();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ TEST(Validity, NamesTheFirstNonFiniteVertex) {
   EXPECT_THROW(require_usable(shape), InputError);
 }
 
-TEST(Validity, NamesTheFirstTriangleWithAnInvalidIndex) {
+TEST(ShapeCheck, NamesTheFirstTriangleWithAnInvalidIndex) {
   Shape shape = test::box({1, 1, 1}, 1);
   const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
   shape.triangles(7, 0) = -1;

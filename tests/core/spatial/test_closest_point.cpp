@@ -31,7 +31,7 @@ RC_GTEST_PROP(ClosestPoint, IsAsCloseAsAnyPointOfAFineGridOnTheTriangle, ()) {
   RC_ASSERT((closest_point(triangle, found) - found).norm() <= 1e-9);
 }
 
-TEST(ClosestPoint, DegenerateTrianglesAreSegmentsOrPoints) {
+TEST(ClosestPoint, OfADegenerateTriangleLiesOnItsSegmentOrPoint) {
   const Eigen::Vector3d a(0, 0, 0);
   const Eigen::Vector3d b(2, 0, 0);
   EXPECT_EQ(closest_point({a, a, a}, {1, 1, 1}), a);

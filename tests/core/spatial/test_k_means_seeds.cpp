@@ -16,7 +16,7 @@ std::vector<Eigen::Index> seeds_among(const Eigen::VectorXd& places, Eigen::Inde
   });
 }
 
-TEST(KMeansSeeds, AreDistinctPlaces) {
+TEST(KMeansSeeds, AreDistinctPositions) {
   const Eigen::VectorXd places{{0, 0, 0, 5, 5, 9}};
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     std::vector<double> chosen;
@@ -26,12 +26,12 @@ TEST(KMeansSeeds, AreDistinctPlaces) {
   }
 }
 
-TEST(KMeansSeeds, AreFewerIfAllOtherPointsCoincideWithThem) {
+TEST(KMeansSeeds, AreFewerIfThereAreFewerDistinctPoints) {
   EXPECT_EQ(seeds_among(Eigen::VectorXd{{0, 0, 5, 5}}, 4, 1).size(), 2U);
   EXPECT_EQ(seeds_among(Eigen::VectorXd{{7}}, 3, 1), std::vector<Eigen::Index>{0});
 }
 
-TEST(KMeansSeeds, FollowTheSquaresOfTheDistances) {
+TEST(KMeansSeeds, AreDrawnInProportionToSquaredDistances) {
   // The first is 0 in a third of the cases. Then the second is at 1 with 1 / 10, and at 3 with 9 / 10.
   const Eigen::VectorXd places{{0, 1, 3}};
   int first = 0;

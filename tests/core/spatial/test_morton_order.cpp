@@ -15,7 +15,7 @@ double length_of_way(const Points& points, const std::vector<std::int32_t>& orde
   return length;
 }
 
-TEST(SpaceFillingCurve, VisitsEveryPointOnceAndNeighboursSoon) {
+TEST(MortonOrder, VisitsEachPointOnceOnAShortPath) {
   const Points points = Points::Random(4000, 3);
   std::vector<std::int32_t> order = morton_order(points);
   std::vector<std::int32_t> given(order.size());
@@ -25,7 +25,7 @@ TEST(SpaceFillingCurve, VisitsEveryPointOnceAndNeighboursSoon) {
   EXPECT_EQ(order, given);
 }
 
-TEST(SpaceFillingCurve, KeepsTheOrderOfPointsInOnePlace) {
+TEST(MortonOrder, KeepsTheOrderOfCoincidentPoints) {
   EXPECT_EQ(morton_order(Points::Ones(3, 3)), (std::vector<std::int32_t>{0, 1, 2}));
   EXPECT_TRUE(morton_order(Points(0, 3)).empty());
 }

@@ -57,7 +57,7 @@ Expected brute_force(const Shape& shape, const Eigen::Vector3d& origin, const Ei
   return expected;
 }
 
-RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) {
+RC_GTEST_PROP(RayCaster, MatchesExhaustiveSearchOverTriangles, (unsigned seed)) {
   std::mt19937 random(seed);
   const Shape soup = any_soup(100);
   const RayCaster caster(soup, seed % 2 == 0 ? EdgeHandling::robust : EdgeHandling::fast);
@@ -89,7 +89,7 @@ RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) 
   RC_CLASSIFY(compared > 50);
 }
 
-TEST(RayCaster, NoRayEscapesThroughAnEdgeOrVertex) {
+TEST(RayCaster, LosesNoRayThroughAnEdgeOrVertex) {
   const Shape sphere = test::transformed(test::sphere(1, 3), 3, test::rotation(5), {7, -2, 1});
   const Eigen::Vector3d centre(7, -2, 1);
   const RayCaster caster(sphere);
@@ -136,7 +136,7 @@ std::vector<RayHit> hits_of(const Shape& shape, EdgeHandling edge_handling, cons
   return hits;
 }
 
-TEST(RayCaster, ManyRaysHitWhatEachHits) {
+TEST(RayCaster, BatchOfRaysGivesTheHitsOfSingleRays) {
   const Shape shape = nested_spheres(2);
   const Eigen::Vector3d origin(7.3, -1, -1);
   std::vector<Eigen::Vector3d> directions = directions_to(shape, origin);
@@ -158,7 +158,7 @@ TEST(RayCaster, ManyRaysHitWhatEachHits) {
   }
 }
 
-TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
+TEST(RayCaster, GivesTheSameHitsOnAnyNumberOfThreads) {
   const Shape shape = nested_spheres(5);  // enough triangles for a multithreaded build by Embree
   const Eigen::Vector3d origin(7.3, -1, -1);
   const std::vector<Eigen::Vector3d> directions = directions_to(test::sphere(1, 4), {0.1, 0.2, 0.3});
@@ -178,7 +178,7 @@ TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
   }
 }
 
-TEST(RayCaster, TrianglesThatTheOriginLiesOnAreNotHit) {
+TEST(RayCaster, IgnoresTrianglesThatContainTheOrigin) {
   const Shape sphere = nested_spheres(3);
   const Eigen::Vector3d centre(7, -2, 1);
   for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
@@ -191,7 +191,7 @@ TEST(RayCaster, TrianglesThatTheOriginLiesOnAreNotHit) {
   }
 }
 
-TEST(RayCaster, SizeAndPlaceDoNotMatter) {
+TEST(RayCaster, HitsDoNotDependOnScaleAndPosition) {
   const Shape torus = test::torus(3, 1, 30, 60);
   const Eigen::Vector3d origin(3.2, 0.1, 0.2);
   const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.2, -0.9).normalized();
@@ -207,7 +207,7 @@ TEST(RayCaster, SizeAndPlaceDoNotMatter) {
   }
 }
 
-TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
+TEST(RayCaster, ReturnsTheFirstOfTrianglesAtEqualDistance) {
   const Shape sheet = test::box({1, 1, 1}, 1);
   const Shape sheets = test::joined({sheet, sheet, test::flipped(sheet)});
   for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
@@ -218,7 +218,7 @@ TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
   }
 }
 
-TEST(RayCaster, SkipsAllThatAreNamed) {
+TEST(RayCaster, SkipsTheListedTriangles) {
   const Shape box = test::box({1, 1, 1}, 1);
   const RayCaster caster(box);
   std::vector<std::int32_t> skipped;
@@ -227,7 +227,7 @@ TEST(RayCaster, SkipsAllThatAreNamed) {
   EXPECT_FALSE(caster.first_hit({0.1, 0.2, 5}, {0, 0, -1}, skipped));
 }
 
-TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
+TEST(RayCaster, IgnoresUnusedVerticesAndDegenerateTriangles) {
   Shape box = test::box({1, 1, 1}, 1);
   const Eigen::Index triangles = box.triangles.rows();
   box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
@@ -238,7 +238,7 @@ TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
   EXPECT_NEAR(hit.distance, 0.5, 1e-14);
 }
 
-TEST(RayCaster, NothingToHit) {
+TEST(RayCaster, RaysHaveNoHitsInAnEmptyShape) {
   EXPECT_FALSE(RayCaster(Shape{}).first_hit({0, 0, 0}, {0, 0, 1}));
   const std::array<Eigen::Vector3d, 2> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
   for (const RayHit& hit : hits_of(Shape{}, EdgeHandling::fast, {0, 0, 0}, directions)) EXPECT_FALSE(hit);

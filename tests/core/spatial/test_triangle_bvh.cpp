@@ -57,7 +57,7 @@ RC_GTEST_PROP(TriangleBVH, FindsTheClosestTriangleOfASoup, ()) {
   RC_ASSERT(std::abs(hinted->distance - expected) <= tolerance_at(expected));
 }
 
-RC_GTEST_PROP(TriangleBVH, FindsNothingBeyondTheLimit, ()) {
+RC_GTEST_PROP(TriangleBVH, FindsNoTriangleBeyondTheDistanceLimit, ()) {
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
   const Eigen::Vector3d x = any_query(shape);
@@ -67,7 +67,7 @@ RC_GTEST_PROP(TriangleBVH, FindsNothingBeyondTheLimit, ()) {
   RC_ASSERT(tree.closest(x, expected + tolerance_at(expected), hint).has_value());
 }
 
-RC_GTEST_PROP(TriangleBVH, KeepsTheTrianglesAndTheirNumbers, ()) {
+RC_GTEST_PROP(TriangleBVH, ContainsTheTrianglesWithTheirIndices, ()) {
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
@@ -85,7 +85,7 @@ bool is_within(const Ball& ball, const Cone& cone, const Eigen::Vector3d& point)
   return (point - ball.centre).norm() <= ball.radius && from_apex.dot(cone.axis) >= cone.cosine * from_apex.norm();
 }
 
-RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ()) {
+RC_GTEST_PROP(TriangleBVH, VisitsAllTrianglesInABallAndConeThatFaceTheAxis, ()) {
   const auto fraction = [] { return *rc::gen::inRange(0, 100) / 100.0; };
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
@@ -112,12 +112,12 @@ RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ())
   }
 }
 
-TEST(TriangleBVH, FindsNothingWithoutTriangles) {
+TEST(TriangleBVH, FindsNoClosestPointWithoutTriangles) {
   const TriangleBVH tree{Shape{}};
   EXPECT_FALSE(tree.closest({0, 0, 0}).has_value());
 }
 
-TEST(TriangleBVH, CopesWithManyTrianglesInOnePlace) {
+TEST(TriangleBVH, FindsTheDistanceToThousandsOfCoincidentTriangles) {
   Shape shape = soup_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   shape.triangles = Triangles(shape.triangles.replicate(5000, 1));
   const TriangleBVH tree(shape);

@@ -21,24 +21,24 @@ using testing::StartsWith;
 
 const Classification animals = {{{"animal", std::nullopt, {}}, {"horse", 0, {"10", "2"}}, {"bird", 0, {"1"}}}};
 
-TEST(Classification, CountsAndListsItsModels) {
+TEST(Classification, CountsAndListsTheModelsOfItsClasses) {
   EXPECT_EQ(model_count(animals), 3U);
   EXPECT_THAT(models_in_file_order(animals), ElementsAre("10", "2", "1"));
   EXPECT_THAT(models_in_natural_order(animals), ElementsAre("1", "2", "10"));
 }
 
-TEST(ClassLabels, MatchIdsInAnySpelling) {
+TEST(ClassLabels, MatchIdsWithPrefixOrExtension) {
   const std::vector<std::string> ids = {"T1.off", "T2", "10"};
   EXPECT_THAT(class_labels(animals, ids, "x.cla"), ElementsAre(2, 1, 1));
 }
 
-TEST(ClassLabels, NameTheUnknownModel) {
+TEST(ClassLabels, ReportAnUnknownModelById) {
   const auto error_for = [](const std::vector<std::string>& ids) {
     return test::input_error_of([&] { class_labels(animals, ids, "x.cla"); });
   };
   EXPECT_THAT(error_for({"1", "2", "10", "T3"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"T3\" is in no class")));
-  EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" is classified")));
-  EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" occurs twice"));
+  EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" has a class")));
+  EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" is repeated"));
 }
 
 constexpr std::string_view valid =
@@ -58,7 +58,7 @@ std::string classification_error_of(std::string_view text) {
   return test::input_error_of([&] { parse_classification(text, "x.cla"); });
 }
 
-TEST(ParseClassification, KeepsClassesModelsAndHierarchy) {
+TEST(ParseClassification, ReadsClassesModelsAndHierarchy) {
   const Classification expected = {{{"animal", std::nullopt, {}}, {"horse", 0, {"10", "2"}}, {"bird", 0, {"1"}}}};
   EXPECT_EQ(parse_classification(valid, "x.cla"), expected);
 }
@@ -101,7 +101,7 @@ TEST(ParseClassification, ErrorsNameTheLine) {
       [](const std::string& text) { parse_classification(text, "x.cla"); });
 }
 
-TEST(ParseClassification, EveryPrefixReadsOrIsAnInputError) {
+TEST(ParseClassification, ReadsOrRejectsEveryPrefixOfAFile) {
   // Complete without the final newline; truncated if any shorter.
   for (std::size_t length = 0; length < valid.size() - 1; ++length) {
     EXPECT_THAT(classification_error_of(valid.substr(0, length)), StartsWith("x.cla:")) << length;
@@ -109,7 +109,7 @@ TEST(ParseClassification, EveryPrefixReadsOrIsAnInputError) {
   EXPECT_EQ(classification_error_of(valid.substr(0, valid.size() - 1)), "no error");
 }
 
-RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
+RC_GTEST_PROP(ParseClassification, ReadsOrRejectsDamagedText, ()) {
   std::string text(valid);
   const auto changes = *rc::gen::inRange(1, 6);
   for (int i = 0; i < changes; ++i) {
@@ -121,7 +121,7 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
   RC_ASSERT(error.find('\n') == std::string::npos);
 }
 
-TEST(WriteClassification, SurvivesARoundTrip) {
+TEST(WriteClassification, FileIsReadBackUnchanged) {
   const TemporaryFolder folder;
   const Classification classification = parse_classification(valid, "x.cla");
   write_classification(folder.path() / "y.cla", classification);
@@ -153,7 +153,7 @@ TEST(WriteClassification, RejectsNamesThatTheFormatCannotExpress) {
 }
 
 // The original labels, if available: 30 classes of 20, models 0 to 599.
-TEST(ReadClassification, Shrec11) {
+TEST(ReadClassification, ReadsTheLabelsOfShrec11) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA does not name the folder of the real data";
   const auto path = std::filesystem::path(data) / "shrec11_labels" / "test.cla";

@@ -24,22 +24,22 @@ std::string csv_error_of(const std::string& text) {
   return test::input_error_of([&] { parse_csv(text, "f.csv"); });
 }
 
-TEST(Csv, SplitsCellsAtCommas) {
+TEST(CsvParser, SplitsCellsAtCommas) {
   EXPECT_THAT(cells_of("a, b ,,c d"), ElementsAre("a", "b", "", "c d"));
   EXPECT_THAT(cells_of("a,"), ElementsAre("a", ""));
   EXPECT_THAT(parse_csv("", "f.csv"), testing::IsEmpty());
 }
 
-TEST(Csv, AcceptsOtherSeparators) {
+TEST(CsvParser, AcceptsSemicolonsAndTabsAsSeparators) {
   EXPECT_THAT(cells_of("a; \"b;c\" ;d,e", ';'), ElementsAre("a", "b;c", "d,e"));
   EXPECT_THAT(cells_of("a\t\tb c\t", '\t'), ElementsAre("a", "", "b c", ""));
 }
 
-TEST(Csv, QuotedCellsMayContainCommasAndQuotes) {
+TEST(CsvParser, AcceptsCommasAndQuotesInQuotedCells) {
   EXPECT_THAT(cells_of(R"("a,b", "say ""no""" ,"",c"d)"), ElementsAre("a,b", R"(say "no")", "", R"(c"d)"));
 }
 
-TEST(Csv, QuotedCellsMayContainLineBreaks) {
+TEST(CsvParser, AcceptsLineBreaksInQuotedCells) {
   const auto rows = parse_csv("id,\"two\r\nlines\"\r\n\"a\n\n\"\"b\",c\nd,e\n", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "two\r\nlines"));
@@ -50,12 +50,12 @@ TEST(Csv, QuotedCellsMayContainLineBreaks) {
   EXPECT_EQ(csv_cell("a\rb"), "\"a\rb\"");
 }
 
-TEST(Csv, InvalidQuotingIsAnErrorWithItsLocation) {
+TEST(CsvParser, RejectsInvalidQuotingWithItsLocation) {
   EXPECT_THAT(csv_error_of("x\na,\"b\nc"), AllOf(HasSubstr("f.csv:2: "), HasSubstr("not closed")));
   EXPECT_THAT(csv_error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
 }
 
-TEST(Csv, RowsHaveLineNumbersAndEmptyLinesAreSkipped) {
+TEST(CsvParser, NumbersRowsByLineAndSkipsEmptyLines) {
   const auto rows = parse_csv("\xEF\xBB\xBFid,x\r\n\r\na,1\n  \nb,2", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
@@ -66,7 +66,7 @@ TEST(Csv, RowsHaveLineNumbersAndEmptyLinesAreSkipped) {
   EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
-TEST(Csv, RowsOfEmptyCellsAreBlank) {
+TEST(CsvParser, RecognisesRowsOfEmptyCellsAsBlank) {
   const auto rows = parse_word_table("id;class\n;\na;1\n ; \n\"\";\n;\n", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
@@ -74,7 +74,7 @@ TEST(Csv, RowsOfEmptyCellsAreBlank) {
   EXPECT_THAT(rows[2].cells, ElementsAre("", "")) << "one is quoted";
 }
 
-TEST(Csv, LinesMayEndWithCarriageReturns) {
+TEST(CsvParser, AcceptsCarriageReturnsAtLineEnds) {
   const auto rows = parse_word_table("\rid,x\r\ra, 1 \r\"b\rc\",2\rd,3", "f");
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
@@ -84,14 +84,14 @@ TEST(Csv, LinesMayEndWithCarriageReturns) {
   EXPECT_EQ(rows[3].line, 7U);
 }
 
-TEST(Csv, RejectsLongRowsEarly) {
+TEST(CsvParser, RejectsRowsOfMoreThanAMillionCells) {
   std::string text = "a,b\n";
   for (std::size_t i = 0; i < max_csv_cells; ++i) text += "0,";
   EXPECT_THAT(test::input_error_of([&] { parse_csv(text, "f"); }),
               HasSubstr("f:2: the row has more than 1000000 cells"));
 }
 
-TEST(Csv, TakesTheSeparatorOfTheFirstLine) {
+TEST(CsvParser, DetectsTheSeparatorFromTheFirstLine) {
   for (const char* text : {"id,x\na,1\n", "id;x\na;1\n", "id\tx\na\t1\n"}) {
     const auto rows = parse_word_table(text, "f");
     ASSERT_EQ(rows.size(), 2U) << text;
@@ -102,7 +102,7 @@ TEST(Csv, TakesTheSeparatorOfTheFirstLine) {
               HasSubstr("f:3: 1 cell where the first row has 2"));
 }
 
-TEST(Csv, ColumnsAreFoundInAnyCase) {
+TEST(CsvParser, FindsColumnsInAnyCase) {
   const CsvRow header{.cells = {"x", "LABEL", "Class"}, .line = 1};
   EXPECT_EQ(find_column(header, class_column_names), 1U);
   EXPECT_EQ(find_column(header, std::array<std::string_view, 1>{"id"}), std::nullopt);
@@ -111,7 +111,7 @@ TEST(Csv, ColumnsAreFoundInAnyCase) {
   EXPECT_EQ(find_class_column({.cells = {"id", "Class"}, .line = 1}, "f"), 1U);
 }
 
-TEST(Csv, FormulasAreEscapedByAnApostrophe) {
+TEST(CsvWriter, EscapesFormulasWithAnApostrophe) {
   for (const std::string text : {"=1+1", "@x", "+cmd|' /C calc'!A0", "-x", "'=1", "''-5", "=a,b"}) {
     EXPECT_THAT(csv_cell(text), testing::MatchesRegex("\"?'.*")) << text;
     EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
@@ -122,12 +122,12 @@ TEST(Csv, FormulasAreEscapedByAnApostrophe) {
   }
 }
 
-TEST(Csv, EmptyCellsSurviveARoundTrip) {
+TEST(CsvWriter, WritesEmptyCellsThatAreReadBack) {
   EXPECT_EQ(csv_line({"", ""}), "\"\",\n");
   EXPECT_EQ(cells_of(csv_line({""})), std::vector<std::string>{""});
 }
 
-RC_GTEST_PROP(Csv, CellsSurviveARoundTrip, ()) {
+RC_GTEST_PROP(CsvWriter, WritesCellsThatAreReadBack, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
   const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));

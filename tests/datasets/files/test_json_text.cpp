@@ -22,7 +22,7 @@ TEST(JsonText, KeepsValidText) {
   EXPECT_EQ(escaped_json(json), json);
 }
 
-TEST(JsonText, DifferentNamesStayDifferent) {
+TEST(JsonText, EscapesDifferentInvalidBytesToDifferentText) {
   EXPECT_NE(json_text(nlohmann::json("\xe4")), json_text(nlohmann::json("\xf6")));
 }
 

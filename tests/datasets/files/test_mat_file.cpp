@@ -39,7 +39,7 @@ class MatFile {
 
 using MatFileTest = test::FolderTest;
 
-TEST_F(MatFileTest, ReadsASingleMatrixByColumns) {
+TEST_F(MatFileTest, ReadsTheSingleMatrixInColumnMajorOrder) {
   const DistanceMatrix expected{{1, 3, 5}, {2, 4, 6}};
   MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
   MatFile(at("b.mat")).add<float>("D", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6});
@@ -52,12 +52,12 @@ TEST_F(MatFileTest, ReadsASingleMatrixByColumns) {
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
 }
 
-TEST_F(MatFileTest, ReadsANumberIfThereIsNoLargerMatrix) {
+TEST_F(MatFileTest, ReadsASingleNumberAsAMatrix) {
   MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {7}, MAT_COMPRESSION_ZLIB, {1, 1});
   EXPECT_EQ(read_mat(at("a.mat")), DistanceMatrix::Constant(1, 1, 7));
 }
 
-TEST_F(MatFileTest, RejectsImpossibleSizes) {
+TEST_F(MatFileTest, RejectsAMatrixThatUnpacksBeyondTheSizeLimit) {
   MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
   std::string bytes = test::bytes_of(at("a.mat"));
   const std::string size("\x02\0\0\0\x03\0\0\0", 8);
@@ -67,7 +67,7 @@ TEST_F(MatFileTest, RejectsImpossibleSizes) {
               AllOf(HasSubstr("large.mat"), HasSubstr("256 MiB")));
 }
 
-TEST_F(MatFileTest, RejectsOtherFiles) {
+TEST_F(MatFileTest, RejectsFilesThatAreNotMatFiles) {
   {
     MatFile two(at("two.mat"));
     two.add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});

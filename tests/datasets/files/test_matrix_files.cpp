@@ -27,7 +27,7 @@ using testing::IsEmpty;
 
 DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
-TEST(NumberTable, NumericIdsMayHaveAnEmptyCorner) {
+TEST(CsvTable, MayHaveNumericIdsAndAnEmptyCorner) {
   const test::TemporaryFolder folder;
   for (const char* corner : {"", "id"}) {
     test::write_text(folder.path() / "x.csv", std::string(corner) + ",1,2,3\n7,0,1,4\n5,2,0,6\n");
@@ -48,7 +48,7 @@ TEST(CsvMatrix, ReadsTsvFiles) {
 
 using PsbMatrixTest = test::FolderTest;
 
-TEST_F(PsbMatrixTest, IsLittleEndianFloat32RowByRow) {
+TEST_F(PsbMatrixTest, ReadsLittleEndianFloat32InRowMajorOrder) {
   using namespace std::string_literals;
   const auto bytes = "\0\0\0\0"s + "\0\0\xC0\x3F"s + "\0\0\x10\xC0"s + "\0\0\x80\x7F"s;
   const DistanceMatrix matrix = read_matrix(folder_.file("m.matrix", bytes), TableShape::square).numbers;
@@ -56,7 +56,7 @@ TEST_F(PsbMatrixTest, IsLittleEndianFloat32RowByRow) {
   EXPECT_EQ(matrix, expected);
 }
 
-TEST_F(PsbMatrixTest, RejectsOtherSizesAndSuggestsFloat64) {
+TEST_F(PsbMatrixTest, RejectsNonSquareSizesAndSuggestsFloat64) {
   const auto error_for = [&](std::size_t bytes) {
     return test::input_error_of(
         [&] { read_matrix(folder_.file("m.matrix", std::string(bytes, '\0')), TableShape::square); });
@@ -70,7 +70,7 @@ TEST_F(PsbMatrixTest, RejectsOtherSizesAndSuggestsFloat64) {
               HasSubstr("none.matrix"));
 }
 
-TEST_F(PsbMatrixTest, EverySizeOfFileReadsOrIsAnError) {
+TEST_F(PsbMatrixTest, ReadsExactlyTheSquareSizes) {
   for (std::size_t bytes = 1; bytes <= 400; ++bytes) {
     const auto path = folder_.file("m.matrix", std::string(bytes, '\0'));
     std::size_t size = 1;
@@ -83,7 +83,7 @@ TEST_F(PsbMatrixTest, EverySizeOfFileReadsOrIsAnError) {
   }
 }
 
-RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
+RC_GTEST_PROP(PsbMatrix, IsReadBackAsWritten, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix matrix = *square_matrices();
   write_psb_matrix(folder.path() / "m.matrix", matrix);
@@ -106,14 +106,14 @@ TEST_F(ReadDistanceMatrix, SelectsTheFormatByExtension) {
   EXPECT_THAT(read_matrix(at("m.Csv"), TableShape::square).row_ids, ElementsAre("a", "b"));
 }
 
-TEST_F(ReadDistanceMatrix, UnknownExtensionsListTheKnownOnes) {
+TEST_F(ReadDistanceMatrix, ListsTheKnownExtensionsForAnUnknownExtension) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(name, TableShape::square); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .tsv, .txt, .dat")));
   }
 }
 
-TEST_F(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
+TEST_F(ReadDistanceMatrix, RejectsNanInEveryFormat) {
   DistanceMatrix matrix = DistanceMatrix::Zero(3, 3);
   matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
   write_npy(at("m.npy"), matrix);
@@ -133,7 +133,7 @@ std::string utf16(std::string_view ascii, bool big_endian) {
   return text;
 }
 
-TEST_F(ReadDistanceMatrix, TextMayBeUtf16) {
+TEST_F(ReadDistanceMatrix, AcceptsTextInUtf16) {
   for (const bool big_endian : {false, true}) {
     EXPECT_EQ(
         read_matrix(folder_.file("m.csv", utf16("0,1.5\r\n-2.25,inf\r\n", big_endian)), TableShape::square).numbers,
@@ -143,7 +143,7 @@ TEST_F(ReadDistanceMatrix, TextMayBeUtf16) {
   }
 }
 
-TEST_F(ReadDistanceMatrix, NanOnTheDiagonalIsMissing) {
+TEST_F(ReadDistanceMatrix, TreatsNanOnTheDiagonalAsMissing) {
   DistanceMatrix matrix{{1, 2.5}, {3, 4}};
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
   write_npy(at("m.npy"), matrix);
@@ -154,7 +154,7 @@ TEST_F(ReadDistanceMatrix, NanOnTheDiagonalIsMissing) {
   }
 }
 
-TEST_F(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
+TEST_F(ReadDistanceMatrix, ReadsCondensedDistancesAsTheUpperTriangle) {
   const DistanceMatrix expected{{0, 1, 2, 3}, {1, 0, 4, 5}, {2, 4, 0, 6}, {3, 5, 6, 0}};
   const Eigen::VectorXd condensed = Eigen::VectorXd::LinSpaced(6, 1, 6);
   write_npy_vector(at("m.npy"), condensed);
@@ -168,7 +168,7 @@ TEST_F(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
   EXPECT_THAT(test::input_error_of([&] { read_matrix(at("five.npy"), TableShape::square); }), HasSubstr("square"));
 }
 
-TEST_F(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
+TEST_F(ReadDistanceMatrix, RecognisesVectorsOfTriangularLengthAsCondensed) {
   const auto is_condensed = [](const std::vector<std::uint64_t>& shape) { return is_condensed_shape(shape); };
   for (const std::vector<std::uint64_t>& shape : {std::vector<std::uint64_t>{1}, {6}, {1, 6}, {6, 1}, {4'498'500}}) {
     EXPECT_TRUE(is_condensed(shape)) << testing::PrintToString(shape);
@@ -185,7 +185,7 @@ TEST_F(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
   }
 }
 
-TEST_F(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
+TEST_F(ReadDistanceMatrix, RejectsIntegersThatWouldBeRounded) {
   for (const char* text : {"0 9007199254740993\n1 0\n", "0 -123456789012345678901\n1 0\n"}) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file("m.txt", text), TableShape::square); }),
                 AllOf(HasSubstr("m.txt:1"), HasSubstr("2^53")));
@@ -194,12 +194,12 @@ TEST_F(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
             9007199254740992.0);
 }
 
-TEST_F(ReadDistanceMatrix, VariablesAreForArchivesOnly) {
+TEST_F(ReadDistanceMatrix, RejectsAVariableNameForOtherFilesThanArchives) {
   EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
               HasSubstr("`variable`"));
 }
 
-TEST_F(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
+TEST_F(ReadDistanceMatrix, RejectsAMissingFileOrAFolder) {
   EXPECT_THAT(test::input_error_of([&] { read_matrix(at("none.npy"), TableShape::square); }), HasSubstr("none.npy"));
   std::filesystem::create_directory(at("folder.npy"));
   EXPECT_THAT(test::input_error_of([&] { read_matrix(at("folder.npy"), TableShape::square); }), HasSubstr("folder"));

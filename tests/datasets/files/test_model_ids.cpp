@@ -19,12 +19,12 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
   return names;
 }
 
-TEST(DistinguishingEnds, AreAsShortAsPossible) {
-  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/y.off"}), ElementsAre("x", "y"));
-  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.obj"}), ElementsAre("x.off", "x.obj"));
-  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.off"}), ElementsAre("a/x", "b/x"));
-  EXPECT_THAT(distinguishing_ends({"a/c/x.off", "b/c/x.off", "y.off"}), ElementsAre("a/c/x", "b/c/x", "y"));
-  EXPECT_THAT(distinguishing_ends({"a/x.off", "a/x.off"}), ElementsAre("x", "x"));
+TEST(DistinguishingEnds, OfPathsAreAsShortAsPossible) {
+  EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/y.off"}), ElementsAre("x", "y"));
+  EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/x.obj"}), ElementsAre("x.off", "x.obj"));
+  EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/x.off"}), ElementsAre("a/x", "b/x"));
+  EXPECT_THAT(distinguishing_suffixes({"a/c/x.off", "b/c/x.off", "y.off"}), ElementsAre("a/c/x", "b/c/x", "y"));
+  EXPECT_THAT(distinguishing_suffixes({"a/x.off", "a/x.off"}), ElementsAre("x", "x"));
 }
 
 TEST(NaturalOrder, ComparesNumbersByValue) {
@@ -32,20 +32,20 @@ TEST(NaturalOrder, ComparesNumbersByValue) {
   EXPECT_THAT(sorted({"a10b2", "a10b10", "a9b99"}), ElementsAre("a9b99", "a10b2", "a10b10"));
 }
 
-TEST(NaturalOrder, NumbersMayBeLongerThanAnyInteger) {
+TEST(NaturalOrder, ComparesNumbersLongerThanAnyInteger) {
   EXPECT_TRUE(natural_less("x99999999999999999999", "x100000000000000000000"));
 }
 
-TEST(NaturalOrder, PrefixesComeFirst) {
+TEST(NaturalOrder, SortsPrefixesFirst) {
   EXPECT_THAT(sorted({"T1.off", "T1", "T", ""}), ElementsAre("", "T", "T1", "T1.off"));
 }
 
-TEST(NaturalOrder, LeadingZerosBreakTies) {
+TEST(NaturalOrder, BreaksTiesByLeadingZeros) {
   EXPECT_THAT(sorted({"a1", "a01b", "a01", "a2", "a001"}), ElementsAre("a001", "a01", "a1", "a01b", "a2"));
   EXPECT_THAT(sorted({"0", "00", "1"}), ElementsAre("0", "00", "1"));
 }
 
-TEST(NaturalOrder, BytesAreUnsigned) { EXPECT_TRUE(natural_less("z", "\xC3\xA9")); }
+TEST(NaturalOrder, ComparesBytesAsUnsigned) { EXPECT_TRUE(natural_less("z", "\xC3\xA9")); }
 
 RC_GTEST_PROP(NaturalOrder, IsAStrictTotalOrder, ()) {
   const auto names = rc::gen::container<std::string>(rc::gen::element('0', '1', '9', 'a', 'T', '.'));
@@ -63,14 +63,14 @@ RC_GTEST_PROP(NaturalOrder, MatchesTheOrderOfNumbers, (unsigned a, unsigned b)) 
   RC_ASSERT(natural_less(name_of(a), name_of(b)) == (a < b));
 }
 
-TEST(ModelIds, UnifyThreeSpellings) {
+TEST(ModelIds, AreEqualForNumberPrefixedNameAndFileName) {
   EXPECT_EQ(canonical_model_id("12"), "12");
   EXPECT_EQ(canonical_model_id("T12"), "12");
   EXPECT_EQ(canonical_model_id("T12.off"), "12");
   EXPECT_EQ(canonical_model_id("12.OFF"), "12");
 }
 
-TEST(ModelIds, StripTheExtensionOfOtherNames) {
+TEST(ModelIds, OmitTheExtensionOfNamesWithoutAModelNumber) {
   EXPECT_EQ(canonical_model_id("horse-1.ply"), "horse-1");
   EXPECT_EQ(canonical_model_id("Trex"), "Trex");
   EXPECT_EQ(canonical_model_id("T12a"), "T12a");

@@ -14,7 +14,7 @@ TEST(ModelKeys, AreCanonicalIds) {
   EXPECT_EQ(ModelKeys().of("m0.off"), "m0");
 }
 
-TEST(ModelKeys, KeepExtensionsIfOnlyTheseDiffer) {
+TEST(ModelKeys, KeepExtensionsIfIdsDifferOnlyInThem) {
   ModelKeys keys({"m0.off", "m0.obj", "m0.off", "m1.off"});
   EXPECT_EQ(keys.of("m0.off"), "m0.off");
   EXPECT_EQ(keys.of("m0.obj"), "m0.obj");

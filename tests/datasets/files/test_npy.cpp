@@ -29,7 +29,7 @@ std::string header_error(const std::string& bytes) {
   return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
 }
 
-TEST(NpyHeader, IsAPythonDictionaryInAnyOrderAndSpacing) {
+TEST(NpyHeader, AcceptsDictionaryKeysInAnyOrderAndSpacing) {
   const std::string dictionary = "{ \"shape\":(2 ,3L),'fortran_order' :True,\n'descr':'>f4'}  \n";
   const NpyHeader header = parse_npy_header(version_1(dictionary), "x");
   EXPECT_EQ(header.type, ">f4");
@@ -38,7 +38,7 @@ TEST(NpyHeader, IsAPythonDictionaryInAnyOrderAndSpacing) {
   EXPECT_EQ(header.data_begin, 10 + dictionary.size());
 }
 
-TEST(NpyHeader, TakesShapesOfAnyDimension) {
+TEST(NpyHeader, AcceptsShapesOfAnyDimension) {
   const auto shape_of = [](const std::string& shape) {
     return parse_npy_header(version_1("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }"), "x").shape;
   };
@@ -75,7 +75,7 @@ TEST(NpyHeader, ErrorsNameTheByte) {
   }
 }
 
-TEST(NpyHeader, WrittenHeadersAlignTheDataAndReadBack) {
+TEST(NpyHeader, AlignsTheDataAndIsReadBack) {
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{600}, std::size_t{12345678901234}}) {
     const std::string bytes = npy_header_of_matrix(size, size + 1);
     EXPECT_EQ(bytes.size() % 64, 0U);
@@ -116,7 +116,7 @@ std::string npy_error_of(const std::string& bytes) {
 
 using NpyTest = test::FolderTest;
 
-TEST_F(NpyTest, ReadsWhatNumpyWrites) {
+TEST_F(NpyTest, ReadsFilesWrittenByNumpy) {
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2, float64_big_endian_version_3,
                                    float32_big_endian_fortran_version_1}) {
     EXPECT_EQ(parse_npy(bytes, "x.npy", TableShape::square), npy_example());
@@ -158,19 +158,19 @@ TEST_F(NpyTest, ReadsFloat16) {
   EXPECT_TRUE(std::isnan(row_of("<f2", "\x01\x7E"s, 1)(0, 0)));
 }
 
-TEST_F(NpyTest, WritesWhatNumpyWrites) {
+TEST_F(NpyTest, WritesTheSameBytesAsNumpy) {
   write_npy(at("x.npy"), npy_example());
   EXPECT_EQ(test::bytes_of(at("x.npy")), float64_version_1);
 }
 
-TEST_F(NpyTest, WritesVectorsAsNumpyDoes) {
+TEST_F(NpyTest, WritesVectorsWithTheSameBytesAsNumpy) {
   write_npy_vector(at("v.npy"), Eigen::Vector2d(0, 1.5));
   EXPECT_EQ(test::bytes_of(at("v.npy")),
             "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }"s + std::string(60, ' ') +
                 "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?"s);
 }
 
-TEST_F(NpyTest, OtherTypesAndShapesAreErrors) {
+TEST_F(NpyTest, RejectsUnsupportedTypesAndNonSquareShapes) {
   for (const char* const type : {"<c8", "<f1", "f8 ", "|O8", "<U3"}) {
     EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", type)),
                 AllOf(HasSubstr("x.npy: numbers of type \""s + type), HasSubstr("float64")));
@@ -180,7 +180,7 @@ TEST_F(NpyTest, OtherTypesAndShapesAreErrors) {
   }
 }
 
-TEST_F(NpyTest, DataOfAnotherLengthIsAnError) {
+TEST_F(NpyTest, RejectsDataWhoseLengthDoesNotMatchTheHeader) {
   EXPECT_THAT(npy_error_of(float64_version_1 + "x"), HasSubstr("33 bytes of data"));
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", "(3, 3)")),
               HasSubstr("shape (3, 3) and type <f8"));
@@ -194,7 +194,7 @@ TEST_F(NpyTest, DataOfAnotherLengthIsAnError) {
               HasSubstr("do not match an array of shape"));
 }
 
-TEST_F(NpyTest, EveryPrefixIsAnInputError) {
+TEST_F(NpyTest, RejectsEveryTruncatedFile) {
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
       EXPECT_THAT(npy_error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
@@ -202,7 +202,7 @@ TEST_F(NpyTest, EveryPrefixIsAnInputError) {
   }
 }
 
-RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
+RC_GTEST_PROP(NpyFile, IsReadOrRejectedIfDamaged, ()) {
   const TemporaryFolder folder;
   std::string bytes = *rc::gen::element(float64_version_1, float32_fortran_version_2);
   const auto changes = *rc::gen::inRange(1, 5);
@@ -214,7 +214,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
   RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
 }
 
-RC_GTEST_PROP(Npy, ReadsBackWhatIsWritten, ()) {
+RC_GTEST_PROP(NpyFile, IsReadBackAsWritten, ()) {
   const TemporaryFolder folder;
   // A third of a float32 needs the precision of float64.
   const DistanceMatrix matrix = *square_matrices() / 3;

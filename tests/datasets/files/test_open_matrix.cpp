@@ -49,7 +49,7 @@ RC_GTEST_PROP(OpenMatrix, BlocksMatchTheWholeMatrix, ()) {
 
 using OpenMatrixTest = test::FolderTest;
 
-TEST_F(OpenMatrixTest, RejectsNanInItsBlock) {
+TEST_F(OpenMatrixTest, RejectsNanInTheRequestedBlock) {
   DistanceMatrix matrix = DistanceMatrix::Zero(5, 5);
   matrix(3, 1) = std::numeric_limits<double>::quiet_NaN();
   write_npy(at("m.npy"), matrix);
@@ -59,7 +59,7 @@ TEST_F(OpenMatrixTest, RejectsNanInItsBlock) {
               AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
 }
 
-TEST_F(OpenMatrixTest, NanOnTheDiagonalIsMissingInEveryBlock) {
+TEST_F(OpenMatrixTest, TreatsNanOnTheDiagonalAsMissingInEveryBlock) {
   DistanceMatrix matrix = DistanceMatrix::Ones(5, 5);
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
   write_npy(at("m.npy"), matrix);
@@ -68,7 +68,7 @@ TEST_F(OpenMatrixTest, NanOnTheDiagonalIsMissingInEveryBlock) {
             (DistanceMatrix{{1, 0}, {1, 1}}));
 }
 
-TEST_F(OpenMatrixTest, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
+TEST_F(OpenMatrixTest, RejectsFilesOfAnotherSizeOrTruncatedAfterOpening) {
   write_npy(at("m.npy"), DistanceMatrix::Ones(40, 40));
   const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::square);
   std::filesystem::resize_file(at("m.npy"), 5000);
@@ -119,7 +119,7 @@ TEST_F(OpenMatrixTest, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
   }
 }
 
-TEST_F(OpenMatrixTest, KeepsTheIdsOfATable) {
+TEST_F(OpenMatrixTest, HasTheIdsOfATable) {
   const OpenMatrix table = open_matrix(folder_.file("t.csv", "id,x,y,z\na,0,1,2\nb,3,4,5\n"), TableShape::any);
   EXPECT_THAT(table.row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(table.column_ids, ElementsAre("x", "y", "z"));
@@ -128,7 +128,7 @@ TEST_F(OpenMatrixTest, KeepsTheIdsOfATable) {
   EXPECT_THAT(square.column_ids, ElementsAre("a", "b"));
 }
 
-TEST_F(OpenMatrixTest, OutlivesTheTableItWasMadeFrom) {
+TEST_F(OpenMatrixTest, KeepsTheNumbersOfATableThatNoLongerExists) {
   OpenMatrix opened;
   {
     LabelledTable table{.numbers = numbered_matrix(4, 6), .row_ids = {"a", "b", "c", "d"}, .column_ids = {}};

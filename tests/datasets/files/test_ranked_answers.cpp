@@ -20,7 +20,7 @@ TEST(RankedAnswers, OrderTrecRunsByScore) {
   EXPECT_THAT(run.answers[0].models, ElementsAre(Pair("a", -0.5), Pair("c", 100)));
 }
 
-TEST(RankedAnswers, CountsListsWhoseScoresRiseWithTheRank) {
+TEST(RankedAnswers, CountListsWhoseScoresRiseWithTheRank) {
   const auto reversed = [](const char* text) { return parse_trec_run(text, "r").reversed; };
   EXPECT_EQ(reversed("q Q0 a 1 0.1 r\nq Q0 b 2 0.1 r\nq Q0 c 3 0.2 r\np Q0 a 1 5 r\np Q0 b 2 4 r\n"), 1U);
   EXPECT_EQ(reversed("q Q0 b 2 0.2 r\nq Q0 a 1 0.1 r\n"), 1U) << "in any order of lines";
@@ -29,13 +29,13 @@ TEST(RankedAnswers, CountsListsWhoseScoresRiseWithTheRank) {
   EXPECT_EQ(reversed("q Q0 a 1 1 r\nq Q0 b 2 1 r\np Q0 a 1 1 r\n"), 0U) << "without an order of scores";
 }
 
-TEST(RankedAnswers, KeepTheOrderOfLists) {
+TEST(RankedAnswers, KeepTheOrderOfRankedLists) {
   const RankedAnswers lists = parse_ranked_lists("q1 c a,b\n q2, a\n", "l");
   ASSERT_EQ(lists.answers.size(), 2U);
   EXPECT_THAT(lists.answers[0].models, ElementsAre(Pair("c", 1), Pair("a", 2), Pair("b", 3)));
 }
 
-TEST(RankedAnswers, ReadAFolderWithOneFilePerQuery) {
+TEST(RankedAnswers, AreReadFromAFolderWithOneFilePerQuery) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "10", "2 0.5\n10 0.7\n");
   test::write_text(folder.path() / "2", "7\r\n\n10\r\n");
@@ -48,7 +48,7 @@ TEST(RankedAnswers, ReadAFolderWithOneFilePerQuery) {
   EXPECT_THAT(lists.answers[1].models, ElementsAre(Pair("2", 1), Pair("10", 2)));
 }
 
-TEST(RankedAnswers, InvalidFoldersAreOneError) {
+TEST(RankedAnswers, RejectEmptyFoldersSubfoldersAndRepeatedModels) {
   const test::TemporaryFolder folder;
   const auto error = [&] { return test::input_error_of([&] { read_ranked_answers(folder.path()); }); };
   EXPECT_THAT(error(), HasSubstr("no ranked lists"));
@@ -59,7 +59,7 @@ TEST(RankedAnswers, InvalidFoldersAreOneError) {
   EXPECT_THAT(error(), HasSubstr("\"test_normal\""));
 }
 
-TEST(RankedAnswers, JudgementsContainRelevantModels) {
+TEST(RelevanceJudgements, ContainRelevantModels) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq2 0 a -1\nq1 0 c 2\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);
   EXPECT_THAT(judgements.queries[0].relevant, ElementsAre("a", "c"));
@@ -69,7 +69,7 @@ TEST(RankedAnswers, JudgementsContainRelevantModels) {
   EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever a grade above 1 occurs
 }
 
-TEST(RankedAnswers, TrecFilesMayHaveComments) {
+TEST(RankedAnswers, AcceptCommentsInTrecFiles) {
   const Judgements judgements = parse_qrels("# query iteration model\nq1 0 a 1\n#\n#1 0 b 1\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);
   EXPECT_EQ(judgements.queries[1].query, "#1") << "four words are a judgement";
@@ -93,18 +93,18 @@ TEST(RankedAnswers, ErrorsNameTheLine) {
                        [](const std::string& text) { parse_qrels(text, "j"); });
 }
 
-TEST(RankedAnswers, TakeTheNameOfATrecRun) {
+TEST(RankedAnswers, HaveTheRunNameOfATrecFile) {
   EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 mine\n", "r").name, "mine");
   EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 yours\n", "r").name, "");
 }
 
-TEST(RankedAnswers, JudgementsContainGradesAndNonRelevantModels) {
+TEST(RelevanceJudgements, ContainGradesAndNonRelevantModels) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq1 0 c 2\nq1 0 d -1\n", "j");
   EXPECT_THAT(judgements.queries[0].grades, ElementsAre(1, 2));
   EXPECT_THAT(judgements.queries[0].irrelevant, ElementsAre("b")) << "d was not judged";
 }
 
-TEST(RankedAnswers, AreDetectedByNameOrFirstLine) {
+TEST(RankedAnswers, FilesAreDetectedByNameOrFirstLine) {
   const test::TemporaryFolder folder;
   EXPECT_TRUE(is_ranked_answers_file("a.run"));
   EXPECT_TRUE(is_ranked_answers_file("a.LISTS"));

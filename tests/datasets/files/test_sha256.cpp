@@ -16,12 +16,12 @@ namespace shapegauge {
 namespace {
 
 // FIPS 180-2, appendix B.1, and the digest of the empty message.
-TEST(Sha256, PublishedDigests) {
+TEST(Sha256, MatchesPublishedDigests) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST(Sha256, OfAFile) {
+TEST(Sha256, OfAFileIsThatOfItsContents) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_file(folder.file("x", "abc")), sha256("abc"));
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
@@ -45,7 +45,7 @@ ShapeFormat format_of_parts() {
           .neighbours = neighbours};
 }
 
-TEST(Sha256, OfAShape) {
+TEST(Sha256, OfAShapeIncludesAllItsFiles) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_shape(read_shape_source(folder.file("x.off", "abc"))), sha256("abc"));
 

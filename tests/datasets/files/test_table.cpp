@@ -14,16 +14,16 @@ using testing::Not;
 
 const TextTable table{.header = {"method", "NN"}, .rows = {{"a|b, 5 %", "9.5"}, {"é_x", "100.0"}}, .text_columns = 1};
 
-TEST(Table, Csv) { EXPECT_EQ(to_csv(table), "method,NN\n\"a|b, 5 %\",9.5\né_x,100.0\n"); }
+TEST(TextTable, IsWrittenAsCsv) { EXPECT_EQ(to_csv(table), "method,NN\n\"a|b, 5 %\",9.5\né_x,100.0\n"); }
 
-TEST(Table, AlignsPlainTextByCharacters) {
+TEST(TextTable, AlignsPlainTextByCharacters) {
   EXPECT_EQ(to_plain_text(table),
             "method       NN\n"
             "a|b, 5 %    9.5\n"
             "é_x       100.0\n");
 }
 
-TEST(Table, Markdown) {
+TEST(TextTable, IsWrittenAsMarkdown) {
   EXPECT_EQ(to_markdown(table),
             "| method    |    NN |\n"
             "| --------- | ----: |\n"
@@ -31,7 +31,7 @@ TEST(Table, Markdown) {
             "| é_x       | 100.0 |\n");
 }
 
-TEST(Table, EscapesMarkdown) {
+TEST(TextTable, EscapesSpecialCharactersOfMarkdown) {
   const std::vector<std::pair<std::string, std::string>> cases{{"our_sdf 2 < 3 [1, 2] (a)", "our_sdf 2 < 3 [1, 2] (a)"},
                                                                {"*a* _b_ `c` ~d~", R"(\*a\* \_b\_ \`c\` \~d\~)"},
                                                                {"a|b\\c", R"(a\|b\\c)"},
@@ -41,7 +41,7 @@ TEST(Table, EscapesMarkdown) {
   for (const auto& [text, expected] : cases) EXPECT_EQ(markdown_text(text), expected);
 }
 
-TEST(Table, Latex) {
+TEST(TextTable, IsWrittenAsLatex) {
   EXPECT_EQ(to_latex(table),
             "\\begin{tabular}{lr}\n"
             "\\toprule\n"
@@ -53,7 +53,7 @@ TEST(Table, Latex) {
             "\\end{tabular}\n");
 }
 
-TEST(Table, LatexEscapesEverySpecialCharacter) {
+TEST(TextTable, EscapesSpecialCharactersOfLatex) {
   const TextTable special{.header = {"\\~^&%$#_{}"}, .rows = {}, .text_columns = 1};
   EXPECT_NE(to_latex(special).find("\\textbackslash{}\\textasciitilde{}\\textasciicircum{}\\&\\%\\$\\#\\_\\{\\}"),
             std::string::npos);
@@ -69,7 +69,7 @@ TextTable two_groups() {
   return groups;
 }
 
-TEST(Table, PrintsTheBestOfAGroupInBold) {
+TEST(TextTable, PrintsTheBestOfAGroupInBold) {
   EXPECT_THAT(to_latex(two_groups()),
               AllOf(HasSubstr("\\textbf{10.0 [9.0, 11.0]}\\textsuperscript{ab}"), HasSubstr("\\textbf{10.0} \\\\"),
                     Not(HasSubstr("\\textbf{9.5}")), Not(HasSubstr("\\textbf{3.0}"))));
@@ -77,7 +77,7 @@ TEST(Table, PrintsTheBestOfAGroupInBold) {
               AllOf(HasSubstr("| **10.0 [9.0, 11.0]** <sup>ab</sup> |"), HasSubstr("**10.0** |")));
 }
 
-TEST(Table, AlignsBoldCellsInTerminals) {
+TEST(TextTable, AlignsBoldCellsInTerminals) {
   EXPECT_EQ(to_plain_text(two_groups(), true),
             "method  average                   NN\n"
             "a       x                        9.5\n"
@@ -86,7 +86,7 @@ TEST(Table, AlignsBoldCellsInTerminals) {
             "d       y                        3.0\n");
 }
 
-TEST(Table, PrintsMarksInPlainTextButNotInCsv) {
+TEST(TextTable, PrintsGroupLettersInPlainTextButNotInCsv) {
   EXPECT_THAT(to_plain_text(two_groups()), HasSubstr("10.0 [9.0, 11.0] ab\n"));
   EXPECT_THAT(to_csv(two_groups()), HasSubstr("b,x,\"10.0 [9.0, 11.0]\"\n"));
 }

@@ -45,7 +45,7 @@ TEST(CsvMatrix, ReadsIdsOfTheHeaderRowAndTheFirstColumn) {
   }
 }
 
-TEST(CsvMatrix, IdsMayBeNumbers) {
+TEST(CsvMatrix, AcceptsNumbersAsIds) {
   for (const std::string corner : {"id", ""}) {
     const LabelledTable matrix = read_csv(corner + ",7,5\n7,0,1\n5,2,0\n");
     EXPECT_THAT(matrix.row_ids, ElementsAre("7", "5"));
@@ -53,26 +53,26 @@ TEST(CsvMatrix, IdsMayBeNumbers) {
   }
 }
 
-TEST(CsvMatrix, RowsMayEndWithASeparator) {
+TEST(CsvMatrix, AcceptsASeparatorAtTheEndOfRows) {
   EXPECT_EQ(read_csv("0,1.5,\n-2.25,inf,\n").numbers, text_example());
   EXPECT_EQ(read_csv("id,a,b,\na,0,1.5,\nb,-2.25,inf,\n").numbers, text_example());
   EXPECT_THAT(csv_error("0,1,\n1\n"), HasSubstr("m.csv:2"));
 }
 
-TEST(CsvMatrix, MayBeginWithASepLine) {
+TEST(CsvMatrix, AcceptsASepLineAtTheBeginning) {
   EXPECT_EQ(read_csv("sep=;\r\n0;1.5\r\n-2.25;inf\r\n").numbers, text_example());
   EXPECT_THAT(read_csv("sep=,\nid,a,b\na,0,1.5\nb,-2.25,inf\n").row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(csv_error("sep=;\n0;1\n1;x\n"), HasSubstr("m.csv:3"));
 }
 
 // The first row of distances, unless it may be the ids: whole numbers that differ.
-TEST(CsvMatrix, MayOmitTheDiagonal) {
+TEST(CsvMatrix, AcceptsAnEmptyDiagonal) {
   EXPECT_EQ(read_csv(",0.5,3\n0.5,,2\n3,2,\n").numbers, (DistanceMatrix{{0, 0.5, 3}, {0.5, 0, 2}, {3, 2, 0}}));
   EXPECT_EQ(read_csv("NA,3,3\n3,NA,2\n3,2,NA\n").numbers, (DistanceMatrix{{0, 3, 3}, {3, 0, 2}, {3, 2, 0}}));
   EXPECT_THAT(csv_error("0,1,2\n1,0,\n2,3,0\n"), HasSubstr("m.csv:2"));
 }
 
-TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
+TEST(CsvMatrix, AcceptsSemicolonsOrTabsAsSeparators) {
   for (const char* const text : {"0;1.5\n-2.25;inf\n", "0\t1.5\n-2.25\tinf\n", "0; 1.5\r\n-2.25; inf\r\n"}) {
     EXPECT_EQ(read_csv(text).numbers, text_example()) << text;
   }
@@ -81,13 +81,13 @@ TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
   EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").row_ids, ElementsAre("T;1", "T2")) << "commas as before";
 }
 
-TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
+TEST(CsvMatrix, HasNoIdsWithoutAHeader) {
   const LabelledTable result = read_csv("0,1.5\n-2.25,inf\n");
   EXPECT_EQ(result.numbers, text_example());
   EXPECT_THAT(result.row_ids, IsEmpty());
 }
 
-TEST(CsvMatrix, LinesMayEndWithCarriageReturns) {
+TEST(CsvMatrix, AcceptsCarriageReturnsAtLineEnds) {
   const LabelledTable matrix = read_csv("id,a,b\ra,0,1\rb,2,0\r");
   EXPECT_THAT(matrix.row_ids, ElementsAre("a", "b"));
   EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
@@ -116,7 +116,7 @@ TEST(CsvMatrix, ErrorsNameTheLine) {
                  read_csv);
 }
 
-TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
+TEST(CsvMatrix, IsReadOrRejectedForEveryPrefix) {
   const std::string valid = "id,a,\"b,c\"\na,0,1.5\n\"b,c\",1.5,0\n";
   for (std::size_t length = 0; length + 2 < valid.size(); ++length) {
     EXPECT_THAT(csv_error(valid.substr(0, length)), HasSubstr("m.csv")) << length;
@@ -125,7 +125,7 @@ TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
   EXPECT_EQ(csv_error(valid.substr(0, valid.size() - 1)), "no error");
 }
 
-RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
+RC_GTEST_PROP(CsvMatrix, IsReadBackAsWritten, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix written = *square_matrices() / 3;
   const auto id = rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('1', 'T', ',', '"', ' ', '\t')));
@@ -148,7 +148,7 @@ std::string text_error(const std::string& text) {
   return test::input_error_of([&] { read_text(text); });
 }
 
-TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
+TEST(TextMatrix, AcceptsSemicolonsOrCommasBetweenNumbers) {
   for (const char* const text : {"0;1.5\n-2.25;inf\n", "# distances\n0, 1.5\n-2.25, inf\n", "0\t1.5\n-2.25\tinf\n"}) {
     EXPECT_EQ(parse_text_matrix(text, "m.txt", TableShape::square), text_example()) << text;
   }
@@ -160,7 +160,7 @@ TEST(TextMatrix, ReadsOneRowPerLine) {
   EXPECT_EQ(read_text("\xEF\xBB\xBF# distances\r\n\r\n\t0.0  1.50 \r\n  # more\r\n-225e-2\tInf"), expected);
 }
 
-TEST(TextMatrix, OneNumberIsAMatrix) { EXPECT_EQ(read_text("0"), DistanceMatrix::Zero(1, 1)); }
+TEST(TextMatrix, AcceptsASingleNumber) { EXPECT_EQ(read_text("0"), DistanceMatrix::Zero(1, 1)); }
 
 TEST(TextMatrix, ErrorsNameTheLine) {
   expect_refused({{"0 1\n1 x\n", "m.txt:2: \"x\" is not a number (number 2"},
@@ -176,7 +176,7 @@ TEST(TextMatrix, ErrorsNameTheLine) {
                  read_text);
 }
 
-TEST(TextMatrix, EveryPrefixReadsOrIsAnInputError) {
+TEST(TextMatrix, IsReadOrRejectedForEveryPrefix) {
   // Of two models: a row of three numbers would be condensed distances.
   const std::string valid = "# two models\n0 1.25e-1\n1.25e-1 0\n";
   const std::size_t first_number = valid.find('0');
@@ -192,7 +192,7 @@ LabelledTable table_of(const std::string& text) { return parse_csv_table(text, "
 
 const DistanceMatrix wide_numbers = Eigen::Matrix<double, 2, 3>{{0, 1, 4}, {2, 0, 6}};
 
-TEST(CsvTable, IdsOfRowsAndColumnsAreIndependent) {
+TEST(CsvTable, MayHaveDifferentIdsOfRowsAndColumns) {
   // Without ids, with those of columns, of rows, and of both: by the first cells of the first two rows.
   const auto expect_table = [](const std::string& text, const std::vector<std::string>& rows,
                                const std::vector<std::string>& columns) {
@@ -226,7 +226,7 @@ TEST(CsvTable, ErrorsNameTheLine) {
   EXPECT_EQ(table_of("my feature\n1\n2\n").column_ids, std::vector<std::string>{"my feature"});
 }
 
-RC_GTEST_PROP(CsvTable, ReadsBackAnyShape, ()) {
+RC_GTEST_PROP(CsvTable, OfAnySizeIsReadBackAsWritten, ()) {
   const DistanceMatrix square = *square_matrices();
   const Eigen::Index rows = *rc::gen::inRange<Eigen::Index>(1, square.rows() + 1);
   const DistanceMatrix written = square.topRows(rows);
@@ -253,7 +253,7 @@ RC_GTEST_PROP(CsvTable, ReadsBackAnyShape, ()) {
   RC_ASSERT(table.column_ids == column_ids);
 }
 
-TEST(TextMatrix, NeedsRowsOfEqualLength) {
+TEST(TextMatrix, RejectsRowsOfDifferentLength) {
   EXPECT_EQ(parse_text_matrix("0 1 4\n2 0 6\n", "t.txt", TableShape::any), wide_numbers);
   EXPECT_THAT(test::input_error_of([] { parse_text_matrix("0 1 4\n2 0\n", "t.txt", TableShape::any); }),
               HasSubstr("t.txt:2:"));

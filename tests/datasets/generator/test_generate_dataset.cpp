@@ -63,10 +63,10 @@ double largest_distance_change(const Shape& a, const Shape& b) {
   return largest / bounding_box_diagonal(a);
 }
 
-class EveryClass : public testing::TestWithParam<std::size_t> {};
+class EveryArticulatedClass : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryClass, HasValidBendingMeshesWithAllParts) {
-  const ArticulatedBody body = make_body(class_skeleton(GetParam()), faces);
+TEST_P(EveryArticulatedClass, HasValidBendingMeshesWithAllParts) {
+  const ArticulatedBody body = make_articulated_body(class_skeleton(GetParam()), faces);
   EXPECT_NEAR(static_cast<double>(body.triangles.rows()), faces, 0.2 * faces);
 
   ASSERT_EQ(body.labels.size(), body.triangles.rows());
@@ -98,12 +98,12 @@ TEST_P(EveryClass, HasValidBendingMeshesWithAllParts) {
   EXPECT_GT(largest_bend, 0.08);
 }
 
-INSTANTIATE_TEST_SUITE_P(Generator, EveryClass, testing::Range(std::size_t{0}, class_count()),
+INSTANTIATE_TEST_SUITE_P(Generator, EveryArticulatedClass, testing::Range(std::size_t{0}, articulated_class_count()),
                          [](const auto& parameter) { return class_skeleton(parameter.param).name; });
 
-TEST(DrawModel, PosesBendMoreThanIndividualsDiffer) {
+TEST(DrawModel, PosesChangeDistancesButHardlyEdgeLengths) {
   // The same individual (same first numbers) at rest and in its pose: distances change, edges hardly do.
-  const ArticulatedBody body = make_body(class_skeleton(3), faces);  // octopus
+  const ArticulatedBody body = make_articulated_body(class_skeleton(3), faces);  // octopus
   RandomNumbers random(1, 1);
   RandomNumbers same(1, 1);
   const Shape posed = draw_model(body, random);
@@ -112,8 +112,8 @@ TEST(DrawModel, PosesBendMoreThanIndividualsDiffer) {
   EXPECT_GT(largest_distance_change(straight, posed), 0.2);
 }
 
-TEST(DrawModel, ReportsWhenNoPoseIsValid) {
-  ArticulatedBody body = make_body(class_skeleton(11), 1000);  // lamp
+TEST(DrawModel, ThrowsIfNoPoseIsValid) {
+  ArticulatedBody body = make_articulated_body(class_skeleton(11), 1000);  // lamp
   body.rest.points.col(2).setZero();
   RandomNumbers random(1);
   EXPECT_THROW(draw_model(body, random), std::runtime_error);
@@ -185,14 +185,14 @@ TEST_F(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
   EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end()));  // the order of files does not reveal classes
 }
 
-TEST_F(GenerateDataset, SameSeedSameBytesWithAnyNumberOfThreads) {
+TEST_F(GenerateDataset, WritesTheSameBytesForASeedOnAnyNumberOfThreads) {
   GeneratorOptions options = small_options();
   options.classes = 2;
   options.models_per_class = 2;
   EXPECT_EQ(generated(options, 1), generated(options, 2));
 }
 
-TEST_F(GenerateDataset, AnotherSeedGivesOtherModels) {
+TEST_F(GenerateDataset, WritesDifferentModelsForAnotherSeed) {
   GeneratorOptions options = small_options();
   options.classes = 1;
   const auto first = generated(options, 2);
@@ -203,7 +203,7 @@ TEST_F(GenerateDataset, AnotherSeedGivesOtherModels) {
   }
 }
 
-TEST_F(GenerateDataset, HasAtLeastTwelveUniqueNames) {
+TEST_F(GenerateDataset, OffersAtLeastTwelveUniqueClassNames) {
   const std::span<const std::string_view> names = generated_model_parameters().front().choices;
   EXPECT_GE(names.size(), 12U);
   EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), names.size());
@@ -224,7 +224,7 @@ TEST_F(GenerateDataset, RefusesOptionsOutOfRange) {
   EXPECT_EQ(folder_.size(), 0U);
 }
 
-TEST_F(GenerateDataset, FilesStateTheirVerticalAxis) {
+TEST_F(GenerateDataset, StatesTheUpAxisInEachFile) {
   GeneratorOptions options = small_options();
   options.classes = options.models_per_class = 1;
   generate_dataset(folder_.path(), options);
@@ -233,7 +233,7 @@ TEST_F(GenerateDataset, FilesStateTheirVerticalAxis) {
 
 // A failure means that generated models have changed: increase the version, so that cached comparisons of them are not
 // used, and update the values here. Tolerances allow for other compilers, whose meshes differ.
-TEST(GeneratorVersion, ChangesWithTheModels) {
+TEST(GeneratorVersion, MatchesTheRecordedModels) {
   EXPECT_EQ(generator_version, 1);
   struct Recorded {
     const char* name;
@@ -247,12 +247,12 @@ TEST(GeneratorVersion, ChangesWithTheModels) {
   }
 }
 
-TEST(GenerateModel, AnUnknownClassIsAnErrorThatSuggestsOne) {
+TEST(GenerateModel, SuggestsTheNearestNameForAnUnknownClass) {
   EXPECT_THAT(test::input_error_of([] { generate_model({.model_class = "octopuss"}); }),
               HasSubstr("there is no generated class \"octopuss\"; did you mean \"octopus\"?"));
 }
 
-TEST_F(GenerateDataset, RefusesAFolderThatCannotBeMade) {
+TEST_F(GenerateDataset, RejectsAFolderThatCannotBeCreated) {
   const std::filesystem::path file = folder_.file("file", "text");
   for (const auto& path : {file, file / "set"}) {
     EXPECT_THAT(test::input_error_of([&] { generate_dataset(path, small_options()); }),
@@ -261,7 +261,7 @@ TEST_F(GenerateDataset, RefusesAFolderThatCannotBeMade) {
   EXPECT_EQ(bytes_of(file), "text");
 }
 
-TEST_F(GenerateDataset, ReplacesAnotherDataSetOnlyWhenForcedAndLeavesOtherFiles) {
+TEST_F(GenerateDataset, ReplacesADataSetOnlyOnRequestAndKeepsUnrelatedFiles) {
   static_cast<void>(folder_.file("T77.off", "old"));
   static_cast<void>(folder_.file("notes.txt", "mine"));
   static_cast<void>(folder_.file("T5.off.bak", "mine"));

@@ -56,7 +56,7 @@ TEST(ImplicitSurface, OfAFlattenedLimbIsThinAlongItsAxis) {
   EXPECT_GT(surface({0, 0, 0.15}), 0);
 }
 
-TEST(SmoothMinimum, IsLowerByAQuarterOfTheWidthForEqualValues) {
+TEST(SmoothMinimum, OfEqualValuesIsLowerByAQuarterOfTheWidth) {
   EXPECT_DOUBLE_EQ(smooth_minimum(1, 1, 0.4), 0.9);
   EXPECT_DOUBLE_EQ(smooth_minimum(1, 1.2, 0.4), 0.975);
   EXPECT_DOUBLE_EQ(smooth_minimum(1.2, 1, 0.4), 0.975);
@@ -64,7 +64,7 @@ TEST(SmoothMinimum, IsLowerByAQuarterOfTheWidthForEqualValues) {
   EXPECT_EQ(smooth_minimum(3, 1, 0.4), 1);
 }
 
-TEST(ImplicitSurface, BlendingOnlyAddsNearby) {
+TEST(ImplicitSurface, BlendingEnlargesTheUnionOnlyNearJoints) {
   const Skeleton s = class_skeleton(0);
   const ImplicitSurface surface(s);
   RandomNumbers random(3);
@@ -89,7 +89,7 @@ TEST(ImplicitSurface, BlendingOnlyAddsNearby) {
 
 TEST(ImplicitSurface, OfEveryClassLiesInItsBoundingBall) {
   RandomNumbers random(4);
-  for (std::size_t c = 0; c < class_count(); ++c) {
+  for (std::size_t c = 0; c < articulated_class_count(); ++c) {
     const ImplicitSurface surface(class_skeleton(c));
     EXPECT_LT(surface(surface.centre()), 0);
     for (const Eigen::Vector3d& point : surface.inner_points()) EXPECT_LT(surface(point), 0);

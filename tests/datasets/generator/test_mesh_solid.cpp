@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
+TEST(MeshSolid, OfACylinderOfTwoPartsIsClosed) {
   const Solid cylinder = rounded_cylinder({0, 0, -0.5}, {0, 0, 0.5}, 0.5, 0.05);
   SolidObject object;
   object.parts = {{0, intersection(cylinder, slab(-1, 0.05))}, {4, intersection(cylinder, slab(0, 1))}};

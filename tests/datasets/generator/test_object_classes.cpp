@@ -15,7 +15,7 @@ namespace {
 
 class EveryObjectClass : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryObjectClass, HasValidMeshesWithSeveralParts) {
+TEST_P(EveryObjectClass, HasValidMeshesOfSeveralParts) {
   const ObjectClass& objects = object_classes()[GetParam()];
   RandomNumbers random(5);
   int made = 0;
@@ -42,7 +42,7 @@ TEST_P(EveryObjectClass, HasValidMeshesWithSeveralParts) {
 INSTANTIATE_TEST_SUITE_P(Generator, EveryObjectClass, testing::Range(std::size_t{0}, object_classes().size()),
                          [](const auto& parameter) { return object_classes()[parameter.param].name; });
 
-TEST(ObjectClasses, MugsAreHollowAndBothSidesOfTheWallAreOnePart) {
+TEST(ObjectClasses, OfMugsAreHollowWithOnePartForBothSidesOfTheWall) {
   RandomNumbers random(7);
   const SolidObject mug = object_classes()[0].draw(random);
   std::optional<SolidMesh> made = mesh_solid(mug, 3000);

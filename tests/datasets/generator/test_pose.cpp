@@ -18,18 +18,18 @@ class BoneWeights : public testing::Test {
                              .nodes = {{{-1, 0, 0}, 0.2}, {{0, 0, 0}, 0.2}, {{1, 0, 0}, 0.2}},
                              .joints = {{1, {yaw_hinge(-30, 30)}}}}}};
   const ImplicitSurface surface_{skeleton_};
-  const BoneTree tree_ = bones_of(skeleton_);
+  const BoneTree tree_ = bone_tree_of(skeleton_);
   const Shape mesh_ = mesh_implicit_surface(surface_, 3000);
   const Eigen::MatrixXd weights_ = bone_weights(mesh_, surface_, tree_);
 };
 
-TEST_F(BoneWeights, SumToOneAndAreNotNegative) {
+TEST_F(BoneWeights, AreNonNegativeAndSumToOne) {
   ASSERT_EQ(weights_.cols(), 2);
   EXPECT_GE(weights_.minCoeff(), 0);
   EXPECT_LT((weights_.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-12);
 }
 
-TEST_F(BoneWeights, DecayFromTheJointAsHeatDoesOnACylinder) {
+TEST_F(BoneWeights, OnACylinderDecayExponentiallyFromTheJoint) {
   // On a long cylinder of radius r, -w'' + (w - p) / r^2 = 0 with p a step gives w = 1 - exp(-x / r) / 2 for x > 0.
   for (Eigen::Index i = 0; i < mesh_.vertices.rows(); ++i) {
     const double x = mesh_.vertices(i, 0);
@@ -39,11 +39,11 @@ TEST_F(BoneWeights, DecayFromTheJointAsHeatDoesOnACylinder) {
   }
 }
 
-TEST_F(BoneWeights, LabelsAreLimbsNotBones) {
+TEST_F(BoneWeights, GiveBonesOfOneLimbOneLabel) {
   EXPECT_EQ(limb_labels(mesh_, weights_, tree_), Eigen::VectorXi::Zero(mesh_.triangles.rows()));
 }
 
-TEST(LimbLabels, AreTheLimbsWithMostWeight) {
+TEST(LimbLabels, OfFacesAreTheLimbsWithTheLargestSkinningWeight) {
   const Shape mesh{.vertices = Points::Zero(4, 3), .triangles = Triangles{{0, 1, 2}, {1, 2, 3}}};
   BoneTree tree;
   tree.bones.resize(3);
@@ -62,19 +62,19 @@ Skeleton rod(bool curls) {
             .curls = curls}}};
 }
 
-TEST(Pose, OfAmplitudeZeroIsTheRestPose) {
+TEST(RandomPose, OfAmplitudeZeroIsTheRestPose) {
   const Skeleton s = rod(false);
   RandomNumbers random(1);
-  for (const RigidMotion& motion : draw_pose(s, bones_of(s), 0, random)) {
+  for (const RigidMotion& motion : draw_pose(s, bone_tree_of(s), 0, random)) {
     EXPECT_EQ(motion.rotation.coeffs(), Eigen::Quaterniond::Identity().coeffs());
     EXPECT_EQ(motion.translation, Eigen::Vector3d::Zero());
   }
 }
 
-TEST(Pose, StaysWithinTheLimitsAndKeepsBonesConnected) {
+TEST(RandomPose, StaysWithinJointLimitsAndKeepsBonesConnected) {
   for (const bool curls : {false, true}) {
     const Skeleton s = rod(curls);
-    const BoneTree tree = bones_of(s);
+    const BoneTree tree = bone_tree_of(s);
     RandomNumbers random(2);
     for (int i = 0; i < 200; ++i) {
       const std::vector<RigidMotion> motions = draw_pose(s, tree, 1, random);
@@ -93,38 +93,38 @@ TEST(Pose, StaysWithinTheLimitsAndKeepsBonesConnected) {
   }
 }
 
-TEST(Skinned, WithOneBoneIsItsRigidMotion) {
+TEST(Skinning, WithOneBoneIsItsRigidMotion) {
   RigidMotion motion;
   motion.rotation = Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized());
   motion.translation = {4, -5, 6};
   const Points points = Points::Random(50, 3);
-  const Points moved = skinned(points, Eigen::MatrixXd::Ones(50, 1), {motion});
+  const Points moved = skin_points(points, Eigen::MatrixXd::Ones(50, 1), {motion});
   const Points expected =
       (points * motion.rotation.toRotationMatrix().transpose()).rowwise() + motion.translation.transpose();
   EXPECT_LT((moved - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Skinned, HalfwayBetweenTwoRotationsAboutAJointIsTheMiddleRotation) {
+TEST(Skinning, OfTwoEqualWeightsIsTheMiddleRotation) {
   // Linear blending would pull the point towards the axis, by the cosine of half the angle between the two.
   RigidMotion bent;
   const Eigen::Vector3d joint(1, 2, 0);
   bent.rotation = Eigen::AngleAxisd(1.6, Eigen::Vector3d::UnitZ());
   bent.translation = joint - bent.rotation * joint;
   const Points point{{1, 2.5, 0.3}};
-  const Points moved = skinned(point, Eigen::MatrixXd::Constant(1, 2, 0.5), {RigidMotion(), bent});
+  const Points moved = skin_points(point, Eigen::MatrixXd::Constant(1, 2, 0.5), {RigidMotion(), bent});
   const Eigen::Vector3d expected =
       joint + Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0, 0.5, 0.3);
   EXPECT_LT((moved.row(0).transpose() - expected).norm(), 1e-14);
 }
 
-TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
+TEST(LimbProportions, StretchLimbsByAFewPercentAndKeepJointsConnected) {
   Skeleton s;
   add_limb(s, {.kind = "body", .nodes = {{{0, 0, 0}, 0.5}, {{2, 0, 0}, 0.5}}});
   for (const double x : {0.5, 1.5}) {
     add_limb(s, {.kind = "leg", .parent = 0, .nodes = {{{x, 0, 0}, 0.2}, {{x, 0, -1}, 0.2}}});
   }
   RestPose rest;
-  rest.tree = bones_of(s);
+  rest.tree = bone_tree_of(s);
   rest.points = Points{{2, 0, 0}, {0, 0.5, 0}, {0.5, 0, -1}, {1.5, 0, -1}};
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(4, 3);
   weights(0, 0) = weights(1, 0) = weights(2, 1) = weights(3, 2) = 1;

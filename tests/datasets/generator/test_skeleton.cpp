@@ -17,14 +17,14 @@ Limb arm() {
           .flat_axis = {0.1, 0.2, 0.9}};
 }
 
-TEST(Skeleton, HingeTowardsTurnsOneDirectionTowardsTheOther) {
+TEST(Skeleton, HingeRotatesOneDirectionTowardsTheOther) {
   const Hinge h = hinge_towards({1, 0, 0}, {0, 0, 1}, -30, 90);
   EXPECT_NEAR(h.lower, -std::numbers::pi / 6, 1e-15);
   const Eigen::Vector3d turned_direction = Eigen::AngleAxisd(h.upper, h.axis) * Eigen::Vector3d(1, 0, 0);
   EXPECT_LT((turned_direction - Eigen::Vector3d(0, 0, 1)).norm(), 1e-15);
 }
 
-TEST(Skeleton, PairIsTheMirrorImageInRestAndInMotion) {
+TEST(Skeleton, LimbPairIsMirroredAtRestAndInMotion) {
   Skeleton s;
   const int left = add_limb_pair(s, arm());
   ASSERT_EQ(s.limbs.size(), 2U);
@@ -41,7 +41,7 @@ TEST(Skeleton, PairIsTheMirrorImageInRestAndInMotion) {
   EXPECT_EQ(s.limbs[1].flat_axis, Eigen::Vector3d(0.1, -0.2, 0.9));
 }
 
-TEST(Skeleton, ChildrenOfAPairAttachToTheirSide) {
+TEST(Skeleton, ChildrenOfALimbPairAttachToTheirSide) {
   Skeleton s;
   const int upper = add_limb_pair(s, arm());
   Limb claw = arm();
@@ -51,7 +51,7 @@ TEST(Skeleton, ChildrenOfAPairAttachToTheirSide) {
   EXPECT_EQ(s.limbs[static_cast<std::size_t>(lower) + 1].parent, upper + 1);
 }
 
-TEST(Skeleton, TurnedLimbMovesWithItsHinges) {
+TEST(Skeleton, RotatedLimbHasRotatedNodesAndHinges) {
   const Limb limb = turned(arm(), 90, "2");
   EXPECT_EQ(part_name(limb), "arm 2");
   EXPECT_LT((limb.nodes[0].position - Eigen::Vector3d(-1, 0, 0)).norm(), 1e-15);
@@ -59,14 +59,14 @@ TEST(Skeleton, TurnedLimbMovesWithItsHinges) {
   EXPECT_LT((limb.joints[0].hinges[0].axis - axis).norm(), 1e-15);
 }
 
-TEST(Bones, SplitLimbsAtJointsAndAttachToTheClosestBone) {
+TEST(SkeletonBones, AreSplitAtJointsAndAttachedToTheClosestBone) {
   Skeleton s;
   const int spine = add_limb(s, {.kind = "spine",
                                  .nodes = {{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{2, 0, 0}, 1}, {{3, 0, 0}, 1}},
                                  .joints = {{2, {yaw_hinge(-10, 10)}}}});
   add_limb(s, {.kind = "leg", .parent = spine, .nodes = {{{2.5, 0, -1}, 0.2}, {{2.5, 0, -2}, 0.2}}});
   add_limb(s, {.kind = "ear", .parent = spine, .nodes = {{{0.5, 0, 1}, 0.2}, {{0.5, 0, 2}, 0.2}}});
-  const BoneTree tree = bones_of(s);
+  const BoneTree tree = bone_tree_of(s);
   ASSERT_EQ(tree.bones.size(), 4U);
   EXPECT_EQ(tree.bone_of_segment, (std::vector<std::vector<int>>{{0, 0, 1}, {2}, {3}}));
   EXPECT_EQ(tree.bones[0].parent, -1);
@@ -80,11 +80,11 @@ TEST(Bones, SplitLimbsAtJointsAndAttachToTheClosestBone) {
   EXPECT_EQ(tree.bones[2].direction, Eigen::Vector3d(0, 0, -1));
 }
 
-TEST(Bones, OfEveryClassHaveTheirParentsBeforeThem) {
-  for (std::size_t c = 0; c < class_count(); ++c) {
+TEST(SkeletonBones, OfEveryClassAreListedAfterTheirParents) {
+  for (std::size_t c = 0; c < articulated_class_count(); ++c) {
     const Skeleton skeleton = class_skeleton(c);
     SCOPED_TRACE(skeleton.name);
-    const BoneTree tree = bones_of(skeleton);
+    const BoneTree tree = bone_tree_of(skeleton);
     for (std::size_t b = 0; b < tree.bones.size(); ++b) {
       EXPECT_LT(tree.bones[b].parent, static_cast<int>(b));
       EXPECT_EQ(tree.bones[b].parent < 0, b == 0);

@@ -30,7 +30,7 @@ void expect_distance(const Solid& solid, Distance distance) {
   }
 }
 
-TEST(Solid, RoundedBoxIsTheDistanceToItsCoreLessTheRounding) {
+TEST(Solid, RoundedBoxIsTheDistanceToItsCoreMinusTheRadius) {
   const Vector3d centre(0.2, -0.1, 0.3);
   expect_distance(rounded_box(centre, {0.6, 0.5, 0.4}, 0.4), [&](const Vector3d& point) {
     // A core of height 0: every point is outside.
@@ -40,7 +40,7 @@ TEST(Solid, RoundedBoxIsTheDistanceToItsCoreLessTheRounding) {
   });
 }
 
-TEST(Solid, RevolvedHalfCircleIsABall) {
+TEST(Solid, RevolvedHalfCircleHasTheDistancesOfABall) {
   constexpr int pieces = 2000;
   Outline outline;
   for (int i = 0; i <= pieces; ++i) {
@@ -71,7 +71,7 @@ TEST(Solid, RoundedCylinderReachesFromEndToEnd) {
   });
 }
 
-TEST(Solid, CommonAndWithoutAreTheBooleanOperations) {
+TEST(Solid, IntersectionHasThePointsOfBothAndDifferenceThoseOfTheFirstAlone) {
   const Solid one = rounded_box(Vector3d::Zero(), {0.8, 0.7, 0.6}, 0.1);
   const Solid other = rounded_box({0.5, 0, 0}, {0.6, 0.3, 1}, 0.1);
   RandomNumbers random(3);
@@ -85,9 +85,9 @@ TEST(Solid, CommonAndWithoutAreTheBooleanOperations) {
   }
 }
 
-TEST(Solid, MovedBodiesKeepTheirDistances) {
+TEST(Solid, MovedSolidHasTheMovedDistances) {
   const Solid box = rounded_box({0.5, 0, 0}, {0.5, 0.2, 0.1}, 0.05);
-  const Solid turned = turned_about_z(box, 90);
+  const Solid turned = rotated_about_z(box, 90);
   RandomNumbers random(4);
   for (int i = 0; i < 200; ++i) {
     const Vector3d point = random_place(random, 1.5);
@@ -96,7 +96,7 @@ TEST(Solid, MovedBodiesKeepTheirDistances) {
   EXPECT_NEAR(turned.box.max().y(), 1, 1e-12);
 }
 
-TEST(SolidObject, LabelsAreOfTheNearestPartOrTheFirstOfEqualOnes) {
+TEST(SolidObject, LabelsAreOfTheNearestPartWithTiesToTheFirst) {
   SolidObject object;
   object.parts.push_back({3, rounded_box({-0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});
   object.parts.push_back({1, rounded_box({0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});

@@ -44,20 +44,20 @@ class BenchmarkLayouts : public test::FolderTest {
   }
 };
 
-TEST_F(BenchmarkLayouts, Shrec07HasItsClassesFromTheNumbers) {
+TEST_F(BenchmarkLayouts, Shrec07ClassesFollowFromTheModelNumbers) {
   for (const char* name : {"1.off", "20.off", "21.off", "261.off", "400.off"}) add(name);
   EXPECT_THAT(recognised(), ElementsAre("shrec07", "1:human", "20:human", "21:cup", "261:spring", "400:fourleg"));
   add("401.off");
   EXPECT_THAT(error("shrec07"), HasSubstr("401.off"));
 }
 
-TEST_F(BenchmarkLayouts, Shrec10To15AreAFolderWithAClassification) {
+TEST_F(BenchmarkLayouts, Shrec10To15IsAFolderWithAClassification) {
   for (const char* name : {"T1.off", "T2.off", "T10.off"}) add(name);
   add("test.cla", "PSB 1\n2 3\n\nalien 0 2\n1\n10\n\ncat 0 1\n2\n");
   EXPECT_THAT(recognised(), ElementsAre("shrec11", "1:alien", "2:cat", "10:alien"));
 }
 
-TEST_F(BenchmarkLayouts, PrincetonsModelsLieInFoldersOfAHundred) {
+TEST_F(BenchmarkLayouts, PrincetonModelsAreFoundInFoldersOfAHundred) {
   for (const char* name : {"db/0/m0/m0.off", "db/0/m7/m7.off", "db/8/m812/m812.off", "db/9/m900/m900.off"}) add(name);
   add("classification/v1/base/test.cla", "PSB 1\n3 3\n\nanimal 0 0\n\nbee animal 2\n0\n812\n\ncar 0 1\n7\n");
   add("classification/v1/coarse1/test.cla", "PSB 1\n1 3\n\nthing 0 3\n0\n812\n7\n");
@@ -69,7 +69,7 @@ TEST_F(BenchmarkLayouts, PrincetonsModelsLieInFoldersOfAHundred) {
   EXPECT_THAT(error("psb"), HasSubstr("bumble"));
 }
 
-TEST_F(BenchmarkLayouts, CheckReportsPrincetonModelsWithoutFile) {
+TEST_F(BenchmarkLayouts, PrincetonModelsWithoutAFileAreReported) {
   add("db/0/m0/m0.off");
   add("classification/v1/base/test.cla", "PSB 1\n1 2\n\nbee 0 2\n0\n762\n");
   const Dataset dataset = find_dataset(recognise_dataset(root()));
@@ -78,20 +78,20 @@ TEST_F(BenchmarkLayouts, CheckReportsPrincetonModelsWithoutFile) {
   EXPECT_THAT(failures[0].message, HasSubstr("m762.off"));
 }
 
-TEST_F(BenchmarkLayouts, ToscasNamesAreAClassAndANumber) {
+TEST_F(BenchmarkLayouts, ToscaClassesFollowFromFileNames) {
   for (const char* name : {"cat0.off", "cat10.off", "cat2.off", "dog1.off"}) add(name);
   EXPECT_THAT(recognised(), ElementsAre("named", "cat0:cat", "cat2:cat", "cat10:cat", "dog1:dog"));
   add("wolf.off");
   EXPECT_THAT(error("named"), HasSubstr("wolf.off"));
 }
 
-TEST_F(BenchmarkLayouts, ATreeHasAClassForEachFolderWithModels) {
+TEST_F(BenchmarkLayouts, FolderTreeHasAClassForEachFolderWithModels) {
   for (const char* name : {"Flat/Clips/a.off", "Flat/Clips/b.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
   EXPECT_THAT(recognised(), ElementsAre("tree", "Flat/Clips/a:Flat/Clips", "Flat/Clips/b:Flat/Clips",
                                         "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
 }
 
-TEST_F(BenchmarkLayouts, FoldersOfATreeAreVisitedOnce) {
+TEST_F(BenchmarkLayouts, FolderTreeWithLinksIsVisitedOnce) {
   for (const char* name : {"Flat/Clips/a.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
   const std::vector<std::string> models = recognised();
   const fs::path outside = at("outside");
@@ -113,7 +113,7 @@ TEST_F(BenchmarkLayouts, FoldersOfATreeAreVisitedOnce) {
                                         "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
 }
 
-TEST_F(BenchmarkLayouts, UnreadableFoldersOfATreeAreFaultyModels) {
+TEST_F(BenchmarkLayouts, FolderTreeReportsUnreadableFolders) {
   for (const char* name : {"Flat/Clips/a.off", "Round/Bolts/c.off"}) add(name);
   fs::create_symlink("nowhere", root() / "Flat/Clips/lost");
   fs::create_directory(root() / "closed");
@@ -132,7 +132,7 @@ TEST_F(BenchmarkLayouts, UnreadableFoldersOfATreeAreFaultyModels) {
   fs::permissions(root() / "closed", fs::perms::owner_all);
 }
 
-TEST_F(BenchmarkLayouts, LinksToFoldersOfClassesDoNotMakeATree) {
+TEST_F(BenchmarkLayouts, FoldersLayoutWithLinksIsNotDetectedAsAFolderTree) {
   for (const char* name : {"A/a.off", "B/b.off", "B/train/c.off"}) add(name);
   const std::vector<std::string> models = recognised();
   EXPECT_EQ(models.front(), "folders");
@@ -147,14 +147,14 @@ TEST_F(BenchmarkLayouts, LinksToFoldersOfClassesDoNotMakeATree) {
   EXPECT_EQ(recognised(), models);
 }
 
-TEST_F(BenchmarkLayouts, FoldersAndModelNetsSplitsAreFolders) {
+TEST_F(BenchmarkLayouts, ModelNetIsDetectedAsFoldersWithSplits) {
   for (const char* name :
        {"bed/train/bed_1.off", "bed/test/bed_2.off", "sofa/train/sofa_1.off", "sofa/test/sofa_2.off"})
     add(name);
   EXPECT_THAT(recognised("test"), ElementsAre("folders", "bed/test/bed_2:bed", "sofa/test/sofa_2:sofa"));
 }
 
-TEST_F(BenchmarkLayouts, ShapeNetsTableNamesSplitsAndSynsets) {
+TEST_F(BenchmarkLayouts, ShapeNetTableGivesSplitsAndSynsets) {
   const std::string triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   for (const char* name : {"train/04090263/model_000001.obj", "test/model_000002.obj", "test/model_000003.obj"})
     add(name, triangle_obj);

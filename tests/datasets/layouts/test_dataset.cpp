@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ModelFile, IsDeterminedByTheName) {
+TEST(ModelFile, IsRecognisedByItsExtension) {
   for (const char* name : {"a.off", "a.OFF", "b.c.obj", "/x/a.ply", "a.stl", "a.xyz"}) {
     EXPECT_TRUE(is_model_file(name)) << name;
   }
@@ -55,7 +55,7 @@ class FolderOfModels : public test::FolderTest {
   }
 };
 
-TEST_F(FolderOfModels, HasItsModelsInNaturalOrder) {
+TEST_F(FolderOfModels, ListsItsModelsInNaturalOrder) {
   EXPECT_THAT(names(model_files(root())), testing::UnorderedElementsAre("B1.ply", "b9.off", "b10.off", "broken.off"));
   const std::vector<std::string> found = names(model_files(root()));
   EXPECT_LT(std::ranges::find(found, "b9.off"), std::ranges::find(found, "b10.off"));
@@ -68,7 +68,7 @@ TEST_F(FolderOfModels, ListsSubfoldersAndLinks) {
   EXPECT_THROW(subfolders(root() / "none"), InputError);
 }
 
-TEST_F(FolderOfModels, HasEachUnvisitedSubfolderOnce) {
+TEST_F(FolderOfModels, ListsEachUnvisitedSubfolderOnce) {
   std::filesystem::create_symlink(".", root() / "self");
   std::filesystem::create_symlink("..", root() / "up");
   std::filesystem::create_symlink("inner", root() / "alias");
@@ -78,17 +78,17 @@ TEST_F(FolderOfModels, HasEachUnvisitedSubfolderOnce) {
   EXPECT_TRUE(unvisited(subfolders(root() / "alias"), visited).empty());
 }
 
-TEST_F(FolderOfModels, FollowsLinks) {
+TEST_F(FolderOfModels, FollowsLinksUnlessBrokenOrCircular) {
   EXPECT_TRUE(is_folder(root() / "link"));
   EXPECT_TRUE(is_readable_folder(root() / "link"));
-  EXPECT_FALSE(leads_nowhere(root() / "link"));
+  EXPECT_FALSE(is_broken_link(root() / "link"));
   for (const char* name : {"broken", "circle", "none", "b9.off"}) {
     EXPECT_FALSE(is_folder(root() / name)) << name;
     EXPECT_FALSE(is_readable_folder(root() / name)) << name;
   }
-  EXPECT_TRUE(leads_nowhere(root() / "broken"));
-  EXPECT_TRUE(leads_nowhere(root() / "circle"));
-  EXPECT_FALSE(leads_nowhere(root() / "none"));
+  EXPECT_TRUE(is_broken_link(root() / "broken"));
+  EXPECT_TRUE(is_broken_link(root() / "circle"));
+  EXPECT_FALSE(is_broken_link(root() / "none"));
   EXPECT_TRUE(is_cyclic_link(root() / "circle"));
   for (const char* name : {"broken", "link", "none"}) EXPECT_FALSE(is_cyclic_link(root() / name)) << name;
 }
@@ -110,7 +110,7 @@ TEST_F(FolderOfModels, CountsSkippedEntriesInFoldersWithModels) {
   EXPECT_EQ(deep.folders, 2U);
 }
 
-TEST(SkippedText, CountsSkippedEntries) {
+TEST(SkippedText, CountsSkippedFilesAndFolders) {
   EXPECT_EQ(skipped_text({}), "");
   EXPECT_THAT(skipped_text({.files = 3, .folders = 1}),
               AllOf(HasSubstr("3 files"), HasSubstr("1 folder"), Not(HasSubstr("outside"))));

@@ -14,7 +14,7 @@ using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ModelLabelsTest : public test::FolderTest {
+class ModelLabelsOfFiles : public test::FolderTest {
  protected:
   std::filesystem::path file(const std::string& name, const std::string& text) {
     write_text(at(name), text);
@@ -31,14 +31,14 @@ std::vector<std::string> classes_of(const ModelLabels& labels) {
   return names;
 }
 
-TEST_F(ModelLabelsTest, ReadAClassification) {
+TEST_F(ModelLabelsOfFiles, AreReadFromAClassification) {
   const ModelLabels labels = read_labels(file("a.cla", hierarchy));
   EXPECT_THAT(labels.classification.classes[2].models, ElementsAre("1", "2"));
   EXPECT_THAT(labels.queries, ElementsAre("1", "2", "3"));
   EXPECT_FALSE(labels.separate_sets);
 }
 
-TEST_F(ModelLabelsTest, ALevelSelectsAncestors) {
+TEST_F(ModelLabelsOfFiles, AreAncestorClassesAtTheRequestedLevel) {
   const auto path = file("a.cla", hierarchy);
   const auto names = [&](std::size_t level) {
     std::vector<std::string> found;
@@ -51,14 +51,14 @@ TEST_F(ModelLabelsTest, ALevelSelectsAncestors) {
   EXPECT_THAT(names(9), ElementsAre("human", "lamp"));
 }
 
-TEST_F(ModelLabelsTest, TheClassMinusOneOfAClassificationHasNoQueries) {
+TEST_F(ModelLabelsOfFiles, ExcludeTheClassMinusOneFromQueries) {
   const ModelLabels labels = read_labels(file("a.cla", "PSB 1\n2 3\nant 0 2\n1\n3\n-1 0 1\n2\n"));
   EXPECT_THAT(labels.queries, ElementsAre("1", "3"));
   EXPECT_THAT(labels.targets, ElementsAre("1", "3", "2"));
   EXPECT_TRUE(labels.separate_sets);
 }
 
-TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
+TEST_F(ModelLabelsOfFiles, DivideModelsByTheSplitColumnOfATable) {
   const ModelLabels labels =
       read_labels(file("a.csv", "class,id,split\nant,1,query\nant,2,target\nbee,3,both\nbee,4,\nbee,5,train\n"));
   EXPECT_THAT(labels.queries, ElementsAre("1", "3", "4"));
@@ -67,7 +67,7 @@ TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
   EXPECT_FALSE(read_labels(file("b.csv", "id,class\n1,ant\n2,ant\n")).separate_sets);
 }
 
-TEST_F(ModelLabelsTest, AreTheNamesOfFolders) {
+TEST_F(ModelLabelsOfFiles, AreReadFromTheNamesOfFolders) {
   file("models/ant/T1.off", "OFF\n");
   file("models/bee/T2.off", "OFF\n");
   const ModelLabels labels = read_labels(folder() / "models");
@@ -75,7 +75,7 @@ TEST_F(ModelLabelsTest, AreTheNamesOfFolders) {
   EXPECT_THAT(labels.queries, ElementsAre("ant/T1", "bee/T2"));
 }
 
-TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
+TEST_F(ModelLabelsOfFiles, OfQueriesAndTargetsShareClassesByName) {
   const auto queries = file("q.cla", "PSB 1\n2 2\nant 0 1\n1\nbee 0 1\n2\n");
   const auto targets = file("t.cla", "PSB 1\n2 3\nbee 0 2\n2 3\ncow 0 1\n4\n");
   const TaskLabels two = read_query_and_target_labels(queries, targets);
@@ -94,7 +94,7 @@ TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
               AllOf(HasSubstr("u.cla: model \"2\""), HasSubstr("\"ant\""), HasSubstr("\"bee\"")));
 }
 
-TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
+TEST_F(ModelLabelsOfFiles, DistinguishFilesOfOneNameByTheirExtensions) {
   const auto path = file("labels.csv", "id,class,subclass\nm0.off,a,x\nm0.obj,b,y\nm1.off,a,\n");
   const ModelLabels labels = read_labels(path);
   EXPECT_THAT(labels.models, ElementsAre("m0.off", "m0.obj", "m1.off"));
@@ -106,9 +106,9 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
   EXPECT_EQ(both.subclasses.at("m1"), "z");
 }
 
-TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
+TEST_F(ModelLabelsOfFiles, ErrorsNameTheLine) {
   test::expect_refused({{"id,kind\n1,a\n", "id and class"},
-                        {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: model \"T1.off\" counts as \"1\""},
+                        {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: model \"T1.off\" is the same as \"1\""},
                         {"id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n", "labels.csv:4: repeated model"},
                         {"id,class\n1\n", "labels.csv:2: 1 cell"},
                         {"id,class,Label\n1,a,b\n", "labels.csv:1: "},
@@ -121,7 +121,7 @@ TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
               HasSubstr("no level 2"));
 }
 
-TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
+TEST_F(ModelLabelsOfFiles, AcceptSynonymsOfColumnNamesAndAnySeparator) {
   for (const char* text :
        {"name,label\nb,bee\na,ant\n", "Label;File\nbee;b\nant;a\n", "b\tbee\na\tant\n", "b,bee\r\na,ant\r\n",
         "x,id,Category\n1,b,bee\n2,a,ant\n", "# by hand\r\n# twice\r\nid,class\r\nb,bee\r\na,ant\r\n,\r\n"}) {
@@ -133,7 +133,7 @@ TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
   }
 }
 
-TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
+TEST_F(ModelLabelsOfFiles, AreReadFromLinesOfIdsAndClasses) {
   const ModelLabels labels = read_labels(file("words.txt", "id label\n10 big ant\n\n2\t bee\n1  big ant\n"));
   EXPECT_FALSE(labels.without_ids);
   EXPECT_THAT(labels.models, ElementsAre("10", "2", "1"));
@@ -144,7 +144,7 @@ TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
   }
 }
 
-TEST_F(ModelLabelsTest, ReadOneClassPerLine) {
+TEST_F(ModelLabelsOfFiles, AreReadFromOneClassPerLine) {
   const ModelLabels labels = read_labels(file("labels.txt", "bee\nbig ant\n\nbee\n"));
   EXPECT_THAT(labels.models, ElementsAre("0", "1", "2"));
   EXPECT_THAT(classes_of(labels), ElementsAre("bee", "big ant"));
@@ -153,7 +153,7 @@ TEST_F(ModelLabelsTest, ReadOneClassPerLine) {
   EXPECT_THAT(classes_of(read_labels(file("named.txt", "label\r\nbee\r\nant"))), ElementsAre("bee", "ant"));
 }
 
-TEST_F(ModelLabelsTest, ReadIntegerArrays) {
+TEST_F(ModelLabelsOfFiles, AreReadFromIntegerArrays) {
   write_npy_vector(folder() / "y.npy", Eigen::Vector4d(7, -1, 7, 12));
   const ModelLabels labels = read_labels(folder() / "y.npy");
   EXPECT_THAT(classes_of(labels), ElementsAre("7", "-1", "12"));
@@ -164,7 +164,7 @@ TEST_F(ModelLabelsTest, ReadIntegerArrays) {
   EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one-dimensional"));
 }
 
-TEST_F(ModelLabelsTest, WithoutIdsTwoSetsShareNoModels) {
+TEST_F(ModelLabelsOfFiles, OfTwoSetsWithoutIdsShareNoModels) {
   const auto queries = file("q.txt", "bee\nant\n");
   const auto targets = file("t.txt", "ant\nant\n");
   const TaskLabels labels = read_query_and_target_labels(queries, targets);
@@ -175,13 +175,13 @@ TEST_F(ModelLabelsTest, WithoutIdsTwoSetsShareNoModels) {
               HasSubstr("q.txt: the file has no ids"));
 }
 
-TEST_F(ModelLabelsTest, OfQueriesAmongTheTargetsAreInTheOrderOfTheTargets) {
+TEST_F(ModelLabelsOfFiles, OfQueriesAmongTheTargetsFollowTheOrderOfTargets) {
   const auto queries = file("public.csv", "id,class\n3,a\n1,b\n");
   const auto all = file("all.csv", "id,class\n1,b\n2,a\n3,a\n");
   EXPECT_THAT(read_shared_labels(queries, all).models, ElementsAre("1", "2", "3"));
 }
 
-TEST_F(ModelLabelsTest, RejectOtherFormats) {
+TEST_F(ModelLabelsOfFiles, RejectFormatsWithoutLabels) {
   for (const char* const name : {"l.npz", "l.html", "l.PNG", "l.off", "l.step"}) {
     EXPECT_THAT(test::input_error_of([&] { read_labels(file(name, "a\nb\n")); }), HasSubstr("files have no labels"))
         << name;
@@ -190,7 +190,7 @@ TEST_F(ModelLabelsTest, RejectOtherFormats) {
   EXPECT_THAT(test::input_error_of([&] { read_labels(file("l.txt", "a\0b\n"s)); }), HasSubstr("not text in UTF-8"));
 }
 
-TEST_F(ModelLabelsTest, WarnOfNamesOfMissingValues) {
+TEST_F(ModelLabelsOfFiles, WarnOfClassNamesThatDenoteMissingValues) {
   EXPECT_THAT(missing_class_warnings(read_labels(file("labels.csv", "id,class\n1,nan\n2,<NA>\n3,nan\n4,Nan\n"))),
               ElementsAre(HasSubstr("labels.csv: 2 models have the class \"nan\""),
                           HasSubstr("1 model has the class \"<NA>\"")));
@@ -216,7 +216,7 @@ std::string utf32(const std::u32string& text, bool big_endian) {
   return bytes;
 }
 
-TEST_F(ModelLabelsTest, ReadStringArrays) {
+TEST_F(ModelLabelsOfFiles, AreReadFromStringArrays) {
   using namespace std::string_literals;
   const std::u32string text = U"cat\0k\u00f6\u732b\U0001F41F"s;
   for (const bool big_endian : {false, true}) {
@@ -233,7 +233,7 @@ TEST_F(ModelLabelsTest, ReadStringArrays) {
   EXPECT_EQ(bytes.classification.classes[0].name, "ox");
 }
 
-TEST_F(ModelLabelsTest, RejectInvalidStringArrays) {
+TEST_F(ModelLabelsOfFiles, RejectPickledTruncatedAndTwoDimensionalStringArrays) {
   using namespace std::string_literals;
   test::expect_refused({{npy_of("|O", "(2,)", "pickled"), "dtype=str"},
                         {npy_of("|S3", "(2,)", "ox\0\0\0\0"s), "entry 1"},

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-class Layouts : public test::FolderTest {
+class DatasetLayouts : public test::FolderTest {
  protected:
   [[nodiscard]] fs::path root() const { return at("data"); }
   void write(const std::string& name, const std::string& text = off) const { write_text(root() / name, text); }
@@ -41,7 +41,7 @@ std::vector<std::string> ids(const Dataset& dataset) {
   return all;
 }
 
-TEST_F(Layouts, Shrec11TakesTheModelsOfTheClassificationInNaturalOrder) {
+TEST_F(DatasetLayouts, Shrec11ListsTheModelsOfTheClassificationInNaturalOrder) {
   for (const char* name : {"T2.off", "T10.off", "T3.off", "T99.off", "notes.txt"}) write(name);
   write("test.cla", "PSB 1\n2 3\na 0 2\n10\n2\nb 0 1\n3\n");
   const Dataset dataset = find("shrec11");
@@ -50,7 +50,7 @@ TEST_F(Layouts, Shrec11TakesTheModelsOfTheClassificationInNaturalOrder) {
   EXPECT_TRUE(check_models(dataset).empty());
 }
 
-TEST_F(Layouts, CheckReportsShrec11ModelsWithoutFile) {
+TEST_F(DatasetLayouts, Shrec11ModelsWithoutAFileAreReported) {
   write("T0.off");
   write("test.cla", "PSB 1\n1 2\na 0 2\n0\n1\n");
   const std::vector<ModelFailure> failures = check_models(find("shrec11"));
@@ -59,7 +59,7 @@ TEST_F(Layouts, CheckReportsShrec11ModelsWithoutFile) {
   EXPECT_THAT(failures[0].message, HasSubstr("T1.off"));
 }
 
-TEST_F(Layouts, CheckReportsFilesThatAreNoShapes) {
+TEST_F(DatasetLayouts, ReportFilesThatAreNotShapes) {
   write("T0.off", "hello\n");
   write("T1.off", "");
   write("T2.off");
@@ -70,7 +70,7 @@ TEST_F(Layouts, CheckReportsFilesThatAreNoShapes) {
   EXPECT_THAT(failures[1].message, HasSubstr("T1.off"));
 }
 
-TEST_F(Layouts, Shrec11NeedsAClassificationAndOneFileForEachModel) {
+TEST_F(DatasetLayouts, Shrec11NeedsAClassificationAndOneFileForEachModel) {
   write("T1.off");
   EXPECT_THAT(error("shrec11"), HasSubstr("test.cla"));
   write("1.obj");
@@ -78,7 +78,7 @@ TEST_F(Layouts, Shrec11NeedsAClassificationAndOneFileForEachModel) {
   EXPECT_THAT(error("shrec11"), HasSubstr("both the model 1"));
 }
 
-TEST_F(Layouts, RejectPathsThatAreNoFolders) {
+TEST_F(DatasetLayouts, RejectPathsThatAreNotFolders) {
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
     EXPECT_THAT(error(std::string(layout.name)), HasSubstr("data: no such folder")) << layout.name;
   }
@@ -86,19 +86,19 @@ TEST_F(Layouts, RejectPathsThatAreNoFolders) {
   EXPECT_THAT(error("folders"), HasSubstr("is not a folder"));
 }
 
-TEST(DatasetLayouts, RefuseOneWithoutAFunction) {
+TEST(LayoutRegistry, RefusesALayoutWithoutAFunction) {
   EXPECT_THROW(dataset_layouts().add({.name = "test_none"}), ArgumentError);
   EXPECT_EQ(dataset_layouts().find("test_none"), nullptr);
 }
 
-TEST_F(Layouts, FoldersTakesAFolderForEachClass) {
+TEST_F(DatasetLayouts, FoldersLayoutHasOneFolderPerClass) {
   for (const char* name : {"chair/c10.off", "chair/c2.OBJ", "bed/b1.ply", "bed/readme.txt", "bed/.hidden.off"})
     write(name);
   write(".git/x.off");
   EXPECT_THAT(ids(find("folders")), ElementsAre("bed/b1:bed", "chair/c2:chair", "chair/c10:chair"));
 }
 
-TEST_F(Layouts, CloudsAreModelsInEveryLayout) {
+TEST_F(DatasetLayouts, AcceptPointCloudsAsModels) {
   const std::string xyz = "0 0 0\n1 0 0\n";
   for (const char* name : {"a/1.xyz", "a/2.PWN", "b/3.pts"}) write(name, xyz);
   write("b/readme.txt", "hello\n");
@@ -113,14 +113,14 @@ TEST_F(Layouts, CloudsAreModelsInEveryLayout) {
   EXPECT_TRUE(check_models(find("shrec11")).empty());
 }
 
-TEST_F(Layouts, FoldersWithSplits) {
+TEST_F(DatasetLayouts, FoldersLayoutSelectsTheRequestedSplit) {
   for (const char* name : {"a/train/1.off", "a/test/2.off", "b/train/3.off", "b/test/4.off"}) write(name);
   EXPECT_THAT(ids(find("folders", "test")), ElementsAre("a/test/2:a", "b/test/4:b"));
   EXPECT_THAT(ids(find("folders", "train")), ElementsAre("a/train/1:a", "b/train/3:b"));
   EXPECT_EQ(find("folders").models.size(), 4U);
 }
 
-TEST_F(Layouts, CountSkippedFiles) {
+TEST_F(DatasetLayouts, CountFilesThatAreSkipped) {
   for (const char* name : {"chair/train/c1.off", "bed/b1.ply", "bed/test/b2.off"}) write(name);
   EXPECT_EQ(skipped_text(find("folders").skipped), "");
   for (const char* name : {"readme.txt", "bed/notes.txt", "chair/train/c1.mtl", "chair/deep/er/c4.off", "loose.off",
@@ -138,24 +138,24 @@ TEST_F(Layouts, CountSkippedFiles) {
   EXPECT_THAT(counts(find("folders", "train").skipped), ElementsAre(3, 1, 1));
 }
 
-TEST_F(Layouts, AListOfModelsSkipsNothing) {
+TEST_F(DatasetLayouts, CountNoSkippedFilesIfAClassificationListsTheModels) {
   for (const char* name : {"T0.off", "T1.off", "readme.txt", "more/x.off"}) write(name);
   write("test.cla", "PSB 1\n1 1\na 0 1\n0\n");
   EXPECT_EQ(skipped_text(find("shrec11").skipped), "");
 }
 
-TEST_F(Layouts, FoldersErrors) {
+TEST_F(DatasetLayouts, FoldersLayoutRejectsMissingAndDuplicateModels) {
   write("T1.off");
   EXPECT_THAT(error("folders"), HasSubstr("folder for each class"));
   write("a/readme.txt");
   EXPECT_THAT(error("folders"), HasSubstr("a: no models"));
   write("a/x.off");
   write("a/x.obj");
-  EXPECT_THAT(error("folders"), HasSubstr("also model a/x"));
+  EXPECT_THAT(error("folders"), HasSubstr("another file has the same model id, a/x"));
   EXPECT_THAT(error("folders", "train"), HasSubstr("for the split \"train\""));
 }
 
-TEST_F(Layouts, FoldersNameLinksThatAreNotFollowed) {
+TEST_F(DatasetLayouts, FoldersLayoutNamesLinksThatAreNotFollowed) {
   fs::create_directories(root() / "ant");
   fs::create_directory_symlink("..", root() / "ant/train");
   const auto not_followed = [&](const std::string& link) {
@@ -172,7 +172,7 @@ TEST_F(Layouts, FoldersNameLinksThatAreNotFollowed) {
               HasSubstr("circle: symbolic links lead in a circle"));
 }
 
-TEST_F(Layouts, CsvTakesTheTable) {
+TEST_F(DatasetLayouts, CsvLayoutReadsModelsFromTheTable) {
   write("sub/x.off");
   write("models.csv", "id,path,class,Subcategory\n1,a.off,red,dark\n2,b.off,red,\n3,c.off,red,red\n");
   EXPECT_EQ(find("csv").models[0].subclass, "dark");
@@ -184,7 +184,7 @@ TEST_F(Layouts, CsvTakesTheTable) {
   EXPECT_EQ(dataset.models[0].file, root() / "sub/x.off");
 }
 
-TEST_F(Layouts, CsvColumnsMayBeOfAnyCaseAndSeparator) {
+TEST_F(DatasetLayouts, CsvLayoutAcceptsColumnNamesInAnyCaseAndAnySeparator) {
   for (const char* text : {"ID;Path;Class\nm10;sub/x.off;red\nm2;\"sub/x.off\";blue, light\n",
                            "CLASS\tid\tPATH\nred\tm10\tsub/x.off\nblue, light\tm2\tsub/x.off\n",
                            "\xEF\xBB\xBFName,File,Label\r\nm10,sub/x.off,red\r\nm2,sub/x.off,\"blue, light\"\r\n"}) {
@@ -195,7 +195,7 @@ TEST_F(Layouts, CsvColumnsMayBeOfAnyCaseAndSeparator) {
   }
 }
 
-TEST_F(Layouts, CsvErrorsNameTheLine) {
+TEST_F(DatasetLayouts, CsvLayoutNamesTheLineOfAnError) {
   test::expect_refused({{"", "models.csv"},
                         {"id,path,class\n", "no models"},
                         {"id,place,class\n1,x,a\n", "models.csv:1: "},
@@ -208,7 +208,7 @@ TEST_F(Layouts, CsvErrorsNameTheLine) {
                        });
 }
 
-TEST_F(Layouts, AreDetected) {
+TEST_F(DatasetLayouts, AreDetectedByTheFilesOfTheFolder) {
   write("a/1.off");
   EXPECT_EQ(recognise_dataset(root()).layout, "folders");
   write("models.csv");
@@ -228,7 +228,7 @@ std::map<std::string, std::string> failures_of(const Dataset& dataset) {
   return messages;
 }
 
-TEST_F(Layouts, FoldersReportEntriesThatAreNoFiles) {
+TEST_F(DatasetLayouts, FoldersLayoutReportsEntriesThatAreNotFiles) {
   write("ant/1.off");
   fs::create_symlink("loop.off", root() / "ant/loop.off");
   fs::create_symlink("nothing", root() / "ant/broken.off");
@@ -244,7 +244,7 @@ TEST_F(Layouts, FoldersReportEntriesThatAreNoFiles) {
   }
 }
 
-TEST_F(Layouts, FoldersReportEmptyClasses) {
+TEST_F(DatasetLayouts, FoldersLayoutReportsEmptyClasses) {
   write("ant/1.off");
   write("bee/readme.txt");
   write("cow/test/1.off");
@@ -258,7 +258,7 @@ TEST_F(Layouts, FoldersReportEmptyClasses) {
   EXPECT_THAT(failures_of(tests).at("ant"), HasSubstr("for the split \"test\""));
 }
 
-TEST_F(Layouts, FoldersReportUnreadableFolders) {
+TEST_F(DatasetLayouts, FoldersLayoutReportsUnreadableFolders) {
   write("ant/1.off");
   write("bee/1.off");
   write("cow/train/1.off");
@@ -281,7 +281,7 @@ TEST_F(Layouts, FoldersReportUnreadableFolders) {
   for (const char* const folder : {"bee", "cow/test"}) fs::permissions(root() / folder, fs::perms::owner_all);
 }
 
-TEST_F(Layouts, OtherLayoutsReportEntriesThatAreNoFiles) {
+TEST_F(DatasetLayouts, ReportEntriesThatAreNotFiles) {
   write("T0.off");
   fs::create_symlink("T1.off", root() / "T1.off");
   fs::create_directory(root() / "T2.off");

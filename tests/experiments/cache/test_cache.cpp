@@ -24,7 +24,7 @@ namespace {
 const std::string key(64, 'a');
 const std::string content("values\0\n\xff and more", 18);
 
-TEST(CacheEntry, SurvivesARoundTrip) {
+TEST(CacheEntry, IsDecodedAsEncoded) {
   for (const std::string& one : {content, std::string(), std::string(5000, '\n')}) {
     EXPECT_EQ(decode_entry(EntryKind::field, key, encode_entry(EntryKind::field, key, one)), one);
   }
@@ -49,7 +49,7 @@ TEST(CacheEntry, DetectsTruncationsAndAdditions) {
   EXPECT_EQ(decode_entry(EntryKind::shape, key, bytes + '\0'), std::nullopt);
 }
 
-TEST(CacheEntry, IsNotConfusedWithAnother) {
+TEST(CacheEntry, DiffersForAnotherKindOrKey) {
   const std::string bytes = encode_entry(EntryKind::shape, key, content);
   EXPECT_EQ(decode_entry(EntryKind::field, key, bytes), std::nullopt);
   EXPECT_EQ(decode_entry(EntryKind::shape, std::string(64, 'b'), bytes), std::nullopt);
@@ -76,7 +76,7 @@ class CacheTest : public test::FolderTest {
   }
 };
 
-TEST_F(CacheTest, LaterRunsFindStoredResults) {
+TEST_F(CacheTest, StoredResultsAreFoundByKindAndKey) {
   keep("value");
   Cache cache(folder());
   EXPECT_EQ(found(cache), "value");
@@ -85,7 +85,7 @@ TEST_F(CacheTest, LaterRunsFindStoredResults) {
   EXPECT_THAT(cache.warnings(), IsEmpty());
 }
 
-TEST_F(CacheTest, AResultIsComputedOnce) {
+TEST_F(CacheTest, ComputesEachResultOnce) {
   int computed = 0;
   const auto get = [&](Cache& cache) {
     return cache.get(EntryKind::field, entry_key, [&] { return ++computed * 1.5; });
@@ -101,7 +101,7 @@ TEST_F(CacheTest, AResultIsComputedOnce) {
   EXPECT_EQ(computed, 1);
 }
 
-TEST_F(CacheTest, ThreadsThatRequestTheSameResultComputeItOnce) {
+TEST_F(CacheTest, ComputesAResultOnceForConcurrentRequests) {
   Cache cache(folder());
   std::atomic<int> computed = 0;
   {
@@ -119,7 +119,7 @@ TEST_F(CacheTest, ThreadsThatRequestTheSameResultComputeItOnce) {
   EXPECT_EQ(computed, 1);
 }
 
-TEST_F(CacheTest, ErrorsAreNotStored) {
+TEST_F(CacheTest, DoesNotStoreErrors) {
   Cache cache(folder());
   const auto fail = [&](bool fails) {
     return cache.get(EntryKind::field, entry_key, [&] {
@@ -132,7 +132,7 @@ TEST_F(CacheTest, ErrorsAreNotStored) {
   EXPECT_EQ(fail(false), 1);
 }
 
-TEST_F(CacheTest, StoresNothingWithoutAFolder) {
+TEST_F(CacheTest, StoresNoResultsWithoutAFolder) {
   Cache none;
   none.put(EntryKind::field, entry_key, 1);
   EXPECT_EQ(none.find<int>(EntryKind::field, entry_key), std::nullopt);
@@ -141,7 +141,7 @@ TEST_F(CacheTest, StoresNothingWithoutAFolder) {
   EXPECT_FALSE(fs::exists(folder()));
 }
 
-TEST_F(CacheTest, RecomputingIgnoresAndReplacesEntries) {
+TEST_F(CacheTest, RecomputeOptionIgnoresAndReplacesEntries) {
   keep("old");
   Cache cache(folder(), true);
   EXPECT_EQ(found(cache), std::nullopt);
@@ -149,7 +149,7 @@ TEST_F(CacheTest, RecomputingIgnoresAndReplacesEntries) {
   EXPECT_EQ(found(), "new");
 }
 
-TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
+TEST_F(CacheTest, ReplacesADamagedEntryWithOneWarning) {
   keep("value");
   const std::string bytes = text_of(entry());
   for (const std::string& damaged : {bytes.substr(0, bytes.size() / 2), std::string(), bytes + "x", std::string("x")}) {
@@ -164,14 +164,14 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
   }
 }
 
-TEST_F(CacheTest, EntriesOfAnotherFormatAreReplaced) {
+TEST_F(CacheTest, ReplacesEntriesOfAnotherFormatVersion) {
   keep("a text");
   Cache cache(folder());
   EXPECT_EQ(cache.get(EntryKind::field, entry_key, [] { return 0.5; }), 0.5);
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged cache entry")));
 }
 
-TEST_F(CacheTest, AFullDiskIsOneWarning) {
+TEST_F(CacheTest, ReportsAFullDiskWithOneWarning) {
   Cache cache(folder());
   cache.put(EntryKind::field, entry_key, std::string("small"));
   rlimit before = {};
@@ -189,7 +189,7 @@ TEST_F(CacheTest, AFullDiskIsOneWarning) {
   EXPECT_EQ(cache_contents(folder()).total().entries, 1U) << "nothing half-written, nothing more";
 }
 
-TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
+TEST_F(CacheTest, ReportsAFolderWithoutPermissionWithOneWarning) {
   keep("value");
   fs::permissions(folder().parent_path(), fs::perms(0755));
   fs::permissions(folder(), fs::perms(0555));
@@ -213,7 +213,7 @@ TEST_F(CacheTest, ReplacesAPipeWithTheNameOfAnEntry) {
   EXPECT_EQ(cache.find<std::string>(EntryKind::field, entry_key), "value");
 }
 
-TEST_F(CacheTest, ClearingDuringARunDoesNotDisableIt) {
+TEST_F(CacheTest, KeepsWorkingIfClearedDuringARun) {
   Cache cache(folder());
   std::jthread clearing([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
@@ -230,7 +230,7 @@ TEST_F(CacheTest, ClearingDuringARunDoesNotDisableIt) {
   EXPECT_THAT(cache.warnings(), IsEmpty());
 }
 
-TEST_F(CacheTest, SeveralRunsShareAFolder) {
+TEST_F(CacheTest, FolderCanBeSharedByConcurrentRuns) {
   const auto key_of = [](int i) { return std::string(62, 'c') + std::to_string(10 + i); };
   std::vector<std::jthread> threads;
   std::atomic<int> wrong = 0;
@@ -250,7 +250,7 @@ TEST_F(CacheTest, SeveralRunsShareAFolder) {
   EXPECT_EQ(cache_contents(folder()).total().entries, 8U);
 }
 
-TEST(EntryKinds, AreAllInTheManual) {
+TEST(CacheEntryKinds, AreAllListedInTheManual) {
   const std::string manual = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/manual/cache.md");
   for (const std::string_view kind : entry_kind_names) {
     EXPECT_THAT(manual, testing::HasSubstr(fmt::format("\n| `{}` | ", kind)));

@@ -41,7 +41,7 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-TEST(CacheFolder, IsTheOneGivenOrThatOfTheXdgSpecification) {
+TEST(CacheFolder, FollowsTheEnvironmentAndTheXdgSpecification) {
   const Variable home("HOME", "/home/someone");
   const Variable xdg("XDG_CACHE_HOME", std::nullopt);
   const Variable named("SHAPEGAUGE_CACHE", std::nullopt);
@@ -60,7 +60,7 @@ TEST(CacheFolder, IsTheOneGivenOrThatOfTheXdgSpecification) {
   EXPECT_EQ(default_cache_folder(), "");
 }
 
-TEST(CacheFolder, SizesHaveUnits) {
+TEST(CacheFolder, LimitAcceptsSizesWithUnits) {
   EXPECT_EQ(parse_size("0", "x"), 0U);
   EXPECT_EQ(parse_size("123", "x"), 123U);
   EXPECT_EQ(parse_size("5K", "x"), 5000U);
@@ -73,7 +73,7 @@ TEST(CacheFolder, SizesHaveUnits) {
   }
 }
 
-TEST(CacheFolder, ReadsTheLimitFromTheEnvironment) {
+TEST(CacheFolder, LimitIsReadFromTheEnvironment) {
   const Variable unset("SHAPEGAUGE_CACHE_LIMIT", std::nullopt);
   EXPECT_EQ(cache_limit(), 10'000'000'000U);
   const Variable set("SHAPEGAUGE_CACHE_LIMIT", "1M");
@@ -94,7 +94,7 @@ class CacheContentsTest : public test::FolderTest {
   }
 };
 
-TEST_F(CacheContentsTest, EntriesAreCountedByKind) {
+TEST_F(CacheContentsTest, CountsEntriesByKind) {
   keep(EntryKind::field, '1', 1000);
   keep(EntryKind::field, '2', 1000);
   keep(EntryKind::distances, '1', 10);
@@ -107,7 +107,7 @@ TEST_F(CacheContentsTest, EntriesAreCountedByKind) {
   EXPECT_EQ(cache_contents(folder() / "absent").total().entries, 0U);
 }
 
-TEST_F(CacheContentsTest, ClearingRemovesTheFolder) {
+TEST_F(CacheContentsTest, ClearingTheCacheRemovesTheFolder) {
   keep(EntryKind::shape, '1', 10);
   EXPECT_TRUE(fs::exists(folder() / "CACHEDIR.TAG"));
   EXPECT_EQ(clear_cache(folder()).total().entries, 1U);
@@ -115,7 +115,7 @@ TEST_F(CacheContentsTest, ClearingRemovesTheFolder) {
   EXPECT_EQ(clear_cache(folder()).total().entries, 0U);
 }
 
-TEST_F(CacheContentsTest, ClearingKeepsOtherFiles) {
+TEST_F(CacheContentsTest, ClearingTheCacheKeepsFilesThatAreNotEntries) {
   keep(EntryKind::shape, '1', 10);
   const std::string digits(62, '1');
   const std::vector<std::string> others{"notes.txt",
@@ -130,7 +130,7 @@ TEST_F(CacheContentsTest, ClearingKeepsOtherFiles) {
   for (const std::string& other : others) EXPECT_TRUE(fs::exists(folder() / other)) << other;
 }
 
-TEST_F(CacheContentsTest, TrimmingRemovesLeastRecentlyUsedEntries) {
+TEST_F(CacheContentsTest, TrimmingTheCacheRemovesLeastRecentlyUsedEntries) {
   keep(EntryKind::field, '1', 1000, 30);
   keep(EntryKind::field, '2', 1000, 10);
   keep(EntryKind::field, '3', 1000, 20);
@@ -155,7 +155,7 @@ TEST_F(CacheContentsTest, RemovesOldTemporaryFilesOfKilledRuns) {
   EXPECT_FALSE(fs::exists(left));
 }
 
-TEST_F(CacheContentsTest, RejectsAFileWithTheNameOfTheFolder) {
+TEST_F(CacheContentsTest, RejectsAFileInPlaceOfTheCacheFolder) {
   write_text(folder(), "a file");
   EXPECT_THAT(test::input_error_of([&] { cache_contents(folder()); }), HasSubstr("cannot read the cache"));
 }

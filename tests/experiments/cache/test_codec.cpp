@@ -48,7 +48,7 @@ Outer sample() {
       .points = Eigen::MatrixXf::Random(4, 3)};
 }
 
-TEST(Codec, RestoresEveryBit) {
+TEST(BinaryCodec, RestoresEveryBit) {
   const Outer before = sample();
   const auto after = decode<Outer>(encode(before));
   EXPECT_EQ(after.kind, Kind::two);
@@ -65,13 +65,13 @@ TEST(Codec, RestoresEveryBit) {
   EXPECT_EQ(encode(after), encode(before));
 }
 
-TEST(Codec, EmptyValuesStayEmpty) {
+TEST(BinaryCodec, RestoresEmptyValues) {
   const auto after = decode<Outer>(encode(Outer()));
   EXPECT_FALSE(after.inner);
   EXPECT_EQ(after.matrix.size() + after.points.size() + std::ssize(after.list), 0);
 }
 
-TEST(Codec, BytesOfAnotherLengthAreDamaged) {
+TEST(BinaryCodec, RejectsMissingAndTrailingBytes) {
   const std::string bytes = encode(sample());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     EXPECT_THROW(decode<Outer>(std::string_view(bytes).substr(0, length)), DamagedBytes) << length;
@@ -79,7 +79,7 @@ TEST(Codec, BytesOfAnotherLengthAreDamaged) {
   EXPECT_THROW(decode<Outer>(bytes + "x"), DamagedBytes);
 }
 
-TEST(Codec, CountsBeyondTheBytesAreDamaged) {
+TEST(BinaryCodec, RejectsCountsBeyondTheAvailableBytes) {
   const std::string many = encode(std::numeric_limits<std::size_t>::max());
   EXPECT_THROW(decode<std::vector<double>>(many), DamagedBytes);
   EXPECT_THROW(decode<std::string>(many), DamagedBytes);

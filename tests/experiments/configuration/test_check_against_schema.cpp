@@ -47,7 +47,7 @@ std::string message_without(const std::string& parent, const std::string& key) {
 
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check(valid())); }
 
-TEST(SchemaCheck, AKeyOfAnotherKindOfExperimentNamesThisKind) {
+TEST(SchemaCheck, NamesTheKindOfExperimentForAKeyOfAnotherKind) {
   EXPECT_THAT(schema_error_with("/shapes", Json::array()),
               StartsWith("x.json: unknown key \"shapes\" in a retrieval experiment; known here: \"dataset\", "));
   Json document = valid();
@@ -64,7 +64,7 @@ TEST(SchemaCheck, ReportsAMisspeltKeyBeforeTheMissingOne) {
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
-TEST(SchemaCheck, ReportsUnknownKeysFirstAndThenTheDeepestError) {
+TEST(SchemaCheck, ReportsUnknownKeysBeforeTheDeepestError) {
   Json document = valid();
   document.erase("name");
   document["signatures"][0]["histogram"]["bins"] = "80";
@@ -118,7 +118,7 @@ TEST(SchemaCheck, ErrorsNameLocationAndProblem) {
   EXPECT_THAT(test::input_error_of([] { check(Json::array()); }), HasSubstr("must be of type object, not array"));
 }
 
-TEST(SchemaCheck, MissingKeys) {
+TEST(SchemaCheck, NamesMissingKeys) {
   EXPECT_EQ(message_without("", "name"), "x.json: the key \"name\" is missing");
   EXPECT_THAT(message_without("/signatures/0/field", "offset"), HasSubstr("signatures.0.field: the key \"offset\""));
   EXPECT_THAT(message_without("/signatures/0", "histogram"), HasSubstr("signatures.0: the key \"histogram\""));
@@ -138,7 +138,7 @@ std::vector<std::string> places_in(const Json& document) {
   return places;
 }
 
-TEST(SchemaCheck, EveryErrorNamesLocationAndProblem) {
+TEST(SchemaCheck, NamesLocationAndProblemForEveryConstraint) {
   Json document = valid();
   document["perturbations"] = Json::parse(R"([{"type": "holes", "radius": 0.1},
                                               {"type": "one_of", "choices": [[], [{"type": "motion"}]]}])");
@@ -173,7 +173,7 @@ std::string part_error(const Json& part, const std::string& definition) {
   return test::input_error_of([&] { check_against_schema(part, definition, "part"); });
 }
 
-TEST(SchemaCheck, ChecksPartsOfADocument) {
+TEST(SchemaCheck, ChecksAFragmentAgainstADefinition) {
   EXPECT_EQ(part_error({{"type", "cone_sdf"}, {"rays", 9}}, "field"), "no error");
   EXPECT_EQ(part_error({{"bins", 9}, {"range", "per-shape"}}, "histogram"), "no error");
   EXPECT_THAT(part_error({{"type", "cone_sdf"}, {"ray", 9}}, "field"),
@@ -187,7 +187,7 @@ TEST(SchemaCheck, ChecksPartsOfADocument) {
             "x.json: signatures.0.field." + part_error(wrong, "field").substr(std::string("part: ").size()));
 }
 
-TEST(SchemaCheck, OfADocumentMayReferToTheDefinitions) {
+TEST(SchemaCheck, AcceptsASchemaThatRefersToSharedDefinitions) {
   const nlohmann::ordered_json schema{{"required", {"count"}},
                                       {"properties", {{"count", {{"$ref", "#/definitions/plain_name"}}}}}};
   const auto error = [&](const Json& document) {
@@ -198,7 +198,7 @@ TEST(SchemaCheck, OfADocumentMayReferToTheDefinitions) {
   EXPECT_EQ(error({{"count", ""}}), "own.json: count: must not be empty");
 }
 
-TEST(ExperimentSchema, ContainsRegisteredTypes) {
+TEST(ExperimentSchema, ContainsRegisteredUserDefinedTypes) {
   const Json field{{"type", "test_flat"}, {"height", 2}};
   EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
   field_types().add({.name = "test_flat",

@@ -44,18 +44,17 @@ TEST(ChooseOffset, IsAutomaticByDefault) {
   EXPECT_EQ(chosen.offset, automatic_offset(box).offset);
 }
 
-TEST(ReasonsForOffset, NameOnlyGapsThatTheOffsetCloses) {
+TEST(ReasonsForOffset, NameGapsOnlyIfTheOffsetClosesThem) {
   const auto reasons = [](const AutomaticOffset& automatic) {
     return reasons_for_offset(chosen_automatically(automatic));
   };
   EXPECT_EQ(reasons({.offset = 0.01}), "no gaps or noise found");
   EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.018, .noise = 0.01}),
-            "fractions of the diagonal: 0.02 closes the gaps, 0.01 smooths the noise");
-  EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.1}),
-            "fractions of the diagonal: 0.02 closes the narrower gaps");
+            "2 % closes the gaps, 1 % smooths the noise");
+  EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.1}), "2 % closes the narrower gaps");
   EXPECT_EQ(reasons({.offset = 0.05, .gap = 0.9, .widest_gap = 0.8, .noise = 0.02, .sufficient = false}),
-            "fractions of the diagonal: closing the gaps would take 0.9, 0.02 smooths the noise");
-  EXPECT_EQ(reasons({.offset = 0.01, .widest_gap = 0.1}), "no noise, and no gap that it could close");
+            "closing the gaps would take 90 %, 2 % smooths the noise");
+  EXPECT_EQ(reasons({.offset = 0.01, .widest_gap = 0.1}), "no noise, and gaps too wide to close");
   EXPECT_EQ(reasons_for_offset({.offset = 0.1, .automatic = {}}), "");
 }
 
@@ -63,13 +62,13 @@ TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
   EXPECT_THROW(choose_offset({}, Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}), InputError);
 }
 
-TEST(LeakWarning, WarnsOfOffsetsBelowTheGap) {
+TEST(LeakWarning, IsGivenIfTheOffsetDoesNotCloseTheGap) {
   EXPECT_TRUE(leak_warning(choose_offset(0.8 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(1.2 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1))));
 }
 
-TEST(LeakWarning, SuggestsASufficientOffset) {
+TEST(LeakWarning, SuggestsAnOffsetThatClosesTheGap) {
   // 1.1 times the gap, 0.0917, rounded up to two digits.
   EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.092"), std::string::npos);
   for (const double wide : {0.2, 0.84, 1.0}) {

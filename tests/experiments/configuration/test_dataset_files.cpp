@@ -37,12 +37,12 @@ class DatasetFiles : public test::FolderTest {
   std::vector<std::string> places_{"/dataset", "/datasets/*"};
 };
 
-TEST_F(DatasetFiles, AreReplacedByTheirContents) {
+TEST_F(DatasetFiles, InConfigurationsAreReplacedByTheirContents) {
   const Json dataset = read({{"dataset", "sets/animals.json"}})["dataset"];
   EXPECT_EQ(dataset, (Json{{"layout", "folders"}, {"root", at("animals").string()}, {"split", "test"}}));
 }
 
-TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFile) {
+TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFileName) {
   const Json datasets =
       read({{"datasets", {"sets/animals.json", "sets/named.json", {{"name", "x"}, {"root", "y"}}}}})["datasets"];
   EXPECT_EQ(datasets[0]["name"], "animals");
@@ -116,7 +116,7 @@ std::vector<PublishedDataset> published_datasets() {
   return all;
 }
 
-TEST(PublishedDatasets, AreDetectedInTheirFolders) {
+TEST(PublishedDatasets, AreDetectedByTheirFolderLayout) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_SOURCE_FOLDER "/configs/datasets")) {
     files += entry.path().extension() == ".json" ? 1 : 0;

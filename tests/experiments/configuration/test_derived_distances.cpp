@@ -43,7 +43,7 @@ std::string derived_error_with(const Json& last) {
 const std::vector<DistanceMatrix> two_matrices = {DistanceMatrix{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}},
                                                   DistanceMatrix{{0, 20, 10}, {20, 0, 30}, {10, 30, 0}}};
 
-TEST(Derived, SumsAddScaledAndWeightedDistances) {
+TEST(DerivedDistances, OfASumAreScaledAndWeighted) {
   const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}});
   EXPECT_THAT(sum.parts, ElementsAre(0, 1));
   const DistanceMatrix distances = derive(*sum.derived, two_matrices);
@@ -54,7 +54,7 @@ TEST(Derived, SumsAddScaledAndWeightedDistances) {
   EXPECT_EQ(derive(*plain.derived, {&two_matrices[1], 1})(0, 1), 40);
 }
 
-TEST(Derived, SumsMatchTheLibrary) {
+TEST(DerivedDistances, OfASumMatchTheLibraryFunctions) {
   const std::vector<double> given{1, 0.5};
   for (const auto& [word, kind] :
        {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
@@ -74,7 +74,7 @@ TEST(Derived, SumsMatchTheLibrary) {
   }
 }
 
-TEST(Derived, SumsByAgreementReportTermsThatDisagree) {
+TEST(DerivedDistances, WeightedByAgreementReportTermsThatDisagree) {
   Eigen::VectorXd positions(60);
   for (Eigen::Index i = 0; i < 60; ++i) positions[i] = static_cast<double>(i / 20 * 1000 + i % 20);
   const DistanceMatrix groups = (positions.replicate(1, 60).rowwise() - positions.transpose()).cwiseAbs();
@@ -88,7 +88,7 @@ TEST(Derived, SumsByAgreementReportTermsThatDisagree) {
   EXPECT_EQ(remark_on(*derived_signature({{"sum", terms}}).derived, matrices), "");
 }
 
-TEST(Derived, RejectsUnknownWords) {
+TEST(DerivedDistances, RejectUnknownNamesOfScalesAndWeights) {
   const auto read = [](Json settings) {
     settings["sum"] = {{{"of", "a"}}};
     return test::input_error_of([&] { make_derived("sum", settings); });
@@ -97,7 +97,7 @@ TEST(Derived, RejectsUnknownWords) {
   EXPECT_THAT(read({{"weights", "agree"}}), HasSubstr("weights is \"agree\""));
 }
 
-TEST(Derived, NeighboursAreANumberAListOrAuto) {
+TEST(DerivedDistances, AcceptNeighboursAsNumberListOrAuto) {
   const auto reranked = [](const Json& neighbours) {
     const Json last{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", neighbours}}}};
     return derive(*derived_signature(last).derived, {&two_matrices[1], 1});
@@ -114,7 +114,7 @@ TEST(Derived, NeighboursAreANumberAListOrAuto) {
   EXPECT_THAT(error("many"), HasSubstr("signatures.2.rerank.neighbours"));
 }
 
-TEST(Derived, RanksAndRerankingMatchTheLibrary) {
+TEST(DerivedDistances, OfRankFusionAndRerankingMatchTheLibraryFunctions) {
   const std::vector<double> equal{1, 1};
   EXPECT_EQ(derive(*derived_signature({{"fuse_ranks", {"a", "b"}}}).derived, two_matrices),
             fusion_of_ranks(two_matrices, equal));
@@ -128,7 +128,7 @@ TEST(Derived, RanksAndRerankingMatchTheLibrary) {
             query_expansion(two_matrices[1], {.neighbours = 1}));
 }
 
-TEST(Derived, AreComputedAfterTheirInputs) {
+TEST(DerivedDistances, AreComputedAfterTheirInputs) {
   Json changed = document_with({{"sum", {{{"of", "a"}}}}});
   std::reverse(changed["signatures"].begin(), changed["signatures"].end());
   const Json reranked = Json::parse(R"({"name": "d", "rerank": {"of": "c", "method": "k_reciprocal"}})");
@@ -137,7 +137,7 @@ TEST(Derived, AreComputedAfterTheirInputs) {
   EXPECT_THAT(computation_order(signatures), ElementsAre(3, 1, 0, 2));
 }
 
-TEST(Derived, ReadBackAsTheSame) {
+TEST(DerivedDistances, ConfigurationIsReadBackAsWritten) {
   for (const Json& last : {Json{{"sum", {{{"of", "a"}}}}, {"scale", "mean"}}, Json{{"fuse_ranks", {"b", "a"}}},
                            Json{{"sum", {{{"of", "a"}}}}, {"scale", "local"}, {"weights", "agreement"}},
                            Json{{"rerank", {{"of", "a"}, {"method", "diffusion"}}}},
@@ -148,7 +148,7 @@ TEST(Derived, ReadBackAsTheSame) {
   }
 }
 
-TEST(Derived, ErrorsNameTheLocation) {
+TEST(DerivedDistances, NameTheLocationOfAnError) {
   const Json one_term{{{"of", "a"}}};
   const std::vector<std::pair<Json, const char*>> mistakes = {
       {{{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}, "signatures.2.sum.1.of: there is no signature \"bb\""},

@@ -39,7 +39,7 @@ TEST(MakeDescriptor, AppliesSettingsToTheRegisteredDescriptor) {
   EXPECT_EQ(choice.descriptor.describe({shape, {}}, {}, choice.values), d2(shape, {.bins = 10}));
 }
 
-TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
+TEST(MakeDescriptor, FillsInTheDefaultsOfFieldsAndAxes) {
   const DescriptorChoice choice = make_descriptor(joint_settings());
   ASSERT_EQ(choice.fields.size(), 2U);
   EXPECT_EQ(to_json(choice)["fields"][1], to_json(choice.fields[1].settings));
@@ -48,7 +48,7 @@ TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
   EXPECT_EQ(to_json(make_descriptor(to_json(choice))), to_json(choice));
 }
 
-TEST(DescriptorConfiguration, SurvivesARoundTrip) {
+TEST(DescriptorConfiguration, IsReadBackAsWritten) {
   const Json filled = to_json(configuration_of_descriptor(joint_settings()));
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
   EXPECT_EQ(filled["signatures"][0]["descriptor"]["axes"].size(), 2U);
@@ -96,7 +96,7 @@ TEST(OffsetWarnings, WarnOfGapsAndHollowShapes) {
   EXPECT_THAT(compute_fields(choice, source).warnings, testing::ElementsAre(HasSubstr("missing")));
 }
 
-TEST(DescriptorConfiguration, PicturesAreColouredByTheFirstFieldOrThereAreNone) {
+TEST(DescriptorConfiguration, HasPicturesColouredByTheFirstFieldIfAny) {
   const ReportConfiguration with_fields = configuration_of_descriptor(joint_settings()).report;
   EXPECT_TRUE(with_fields.pictures);
   EXPECT_EQ(with_fields.pictured_signature, 0U);

@@ -18,23 +18,23 @@ std::vector<std::string> places(const std::vector<std::string>& patterns) {
   const auto document = nlohmann::json::parse(
       R"({"dataset": {"root": "x"}, "shapes": [{"file": "a"}, {"name": "b"}, {"file": "c"}], "groups": {"file": "d"}})");
   std::vector<std::string> texts;
-  for (const auto& place : matching_places(document, patterns)) texts.push_back(place.to_string());
+  for (const auto& place : matching_pointers(document, patterns)) texts.push_back(place.to_string());
   return texts;
 }
 
-TEST(MatchingPlaces, ExistInTheDocument) {
+TEST(MatchingPaths, ExistInTheDocument) {
   EXPECT_THAT(places({"/dataset"}), ElementsAre("/dataset"));
   EXPECT_THAT(places({"/dataset/root"}), ElementsAre("/dataset/root"));
   EXPECT_THAT(places({"/dataset/split", "/absent/root", "/groups/file/x"}), IsEmpty());
 }
 
-TEST(MatchingPlaces, AStarMatchesEachIndexOfAnArray) {
+TEST(MatchingPaths, WithAStarContainEachIndexOfAnArray) {
   EXPECT_THAT(places({"/shapes/*/file"}), ElementsAre("/shapes/0/file", "/shapes/2/file"));
   EXPECT_THAT(places({"/shapes/*"}), ElementsAre("/shapes/0", "/shapes/1", "/shapes/2"));
   EXPECT_THAT(places({"/groups/*", "/dataset/*/root"}), IsEmpty()) << "an object is no array";
 }
 
-TEST(MatchingPlaces, AreInTheOrderOfThePatterns) {
+TEST(MatchingPaths, AreInTheOrderOfThePatterns) {
   EXPECT_THAT(places({"/shapes/*/name", "/groups/file"}), ElementsAre("/shapes/1/name", "/groups/file"));
   EXPECT_THAT(places({}), IsEmpty());
 }

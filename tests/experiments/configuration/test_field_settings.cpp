@@ -22,7 +22,7 @@ TEST(ReadField, ReadsSettingsAndFillsInDefaults) {
             (SamplePlan{.site = SampleSite::surface, .count = 50}));
 }
 
-TEST(ReadField, ReadsTheSmoothing) {
+TEST(ReadField, ReadsBilateralSmoothing) {
   const Field field = read_field({{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.2}}}});
   EXPECT_EQ(field.settings.smoothing.value().number("spatial_width"), 0.2);
   EXPECT_EQ(to_json(field.settings)["bilateral"]["iterations"], 1);

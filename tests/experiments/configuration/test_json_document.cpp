@@ -16,7 +16,7 @@ using testing::StartsWith;
 
 TEST(ParseJson, ParsesValues) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
-TEST(ParseJson, CommentsAreSkipped) {
+TEST(ParseJson, SkipsComments) {
   EXPECT_EQ(parse_json("// one\n{/* two */ \"a\": 1 // three\n}", "x.json"), nlohmann::json({{"a", 1}}));
   EXPECT_THAT(test::input_error_of([] { parse_json("/* one\n*/ {,}", "x.json"); }), StartsWith("x.json:2:"));
 }
@@ -32,7 +32,7 @@ TEST(ParseJson, RejectsInvalidJsonWithItsPosition) {
   EXPECT_NO_THROW(parse_json(R"([{"b": 1}, {"b": {"b": 3}}])", "x.json"));
 }
 
-TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
+TEST(ParseJson, RejectsDeeplyNestedValues) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_NO_THROW(parse_json(nested(100), "x.json"));
   EXPECT_THAT(test::input_error_of([&] { parse_json(nested(102), "x.json"); }),
@@ -43,20 +43,20 @@ TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
               HasSubstr("not valid JSON"));
 }
 
-TEST(ParseJson, MessagesAreShort) {
+TEST(ParseJson, KeepsErrorMessagesShort) {
   const std::string word(100'000, 'x');
   EXPECT_LT(test::input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
   EXPECT_LT(test::input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(),
             500U);
 }
 
-TEST(ParseIfJson, IsEmptyForOtherText) {
+TEST(ParseIfJson, ReturnsNothingForTextThatIsNotJson) {
   EXPECT_EQ(parse_if_json("[1]", "x").value()[0], 1);
   EXPECT_FALSE(parse_if_json("per-shape", "x").has_value());
   EXPECT_THAT(test::input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("is repeated"));
 }
 
-TEST(ReadJson, AnAbsentFileAndAFolderAreErrors) {
+TEST(ReadJson, RejectsAMissingFileAndAFolder) {
   EXPECT_THAT(test::input_error_of([] { read_json("/nowhere/x.json"); }), StartsWith("/nowhere/x.json: no such file"));
   EXPECT_THAT(test::input_error_of([] { read_json("/"); }), HasSubstr("cannot be read"));
 }
@@ -70,17 +70,17 @@ class ExpandVariables : public testing::Test {
   }
 };
 
-TEST_F(ExpandVariables, ReplacesEach) {
+TEST_F(ExpandVariables, ReplacesEachEnvironmentVariable) {
   EXPECT_EQ(expand_variables("no variable, $HOME and {x} are text"), "no variable, $HOME and {x} are text");
   EXPECT_EQ(expand_variables("${SHAPEGAUGE_TEST_A}/x/${SHAPEGAUGE_TEST_A}"), "/data/x//data");
 }
 
-TEST_F(ExpandVariables, DoesNotExpandValuesAgain) {
+TEST_F(ExpandVariables, DoesNotExpandVariablesWithinVariableValues) {
   setenv("SHAPEGAUGE_TEST_A", "${SHAPEGAUGE_TEST_UNSET}", 1);
   EXPECT_EQ(expand_variables("${SHAPEGAUGE_TEST_A}"), "${SHAPEGAUGE_TEST_UNSET}");
 }
 
-TEST_F(ExpandVariables, AnUnsetVariableIsAnErrorThatSaysToSetIt) {
+TEST_F(ExpandVariables, ReportsAnUnsetVariable) {
   for (const std::string name : {"SHAPEGAUGE_TEST_UNSET", "SHAPEGAUGE_TEST_EMPTY"}) {
     const std::string message = test::input_error_of([&] { expand_variables("${" + name + "}/x"); });
     EXPECT_THAT(message, HasSubstr("variable " + name + " is not set"));
@@ -88,7 +88,7 @@ TEST_F(ExpandVariables, AnUnsetVariableIsAnErrorThatSaysToSetIt) {
   }
 }
 
-TEST_F(ExpandVariables, AMissingBraceIsAnError) {
+TEST_F(ExpandVariables, RejectsAMissingBrace) {
   EXPECT_THAT(test::input_error_of([] { expand_variables("${SHAPEGAUGE"); }), HasSubstr("without its }"));
 }
 
@@ -104,7 +104,7 @@ TEST(ApplyOverride, ChangesAValueWithinAnArray) {
   EXPECT_EQ(overridden("signatures.0.histogram.bins=40")["signatures"][0]["histogram"]["bins"], 40);
 }
 
-TEST(ApplyOverride, ElementsOfArraysHaveNamesInBrackets) {
+TEST(ApplyOverride, FindsArrayElementsByNameInBrackets) {
   Json document = Json::parse(R"({"signatures": [{"name": "a=b. c"}, {"name": "Sum", "scale": "none"}]})");
   apply_override(document, R"(signatures["Sum"].scale=local)");
   EXPECT_EQ(document["signatures"][1]["scale"], "local");
@@ -121,7 +121,7 @@ TEST(ApplyOverride, ElementsOfArraysHaveNamesInBrackets) {
   EXPECT_THAT(message, HasSubstr("Sum"));
 }
 
-TEST(ApplyOverride, ValuesAreJsonOrStrings) {
+TEST(ApplyOverride, ParsesValuesAsJsonOrStrings) {
   EXPECT_EQ(overridden("name=true")["name"], true);
   EXPECT_EQ(overridden("name=\"true\"")["name"], "true");
   EXPECT_EQ(overridden("name=per-shape")["name"], "per-shape");

@@ -31,7 +31,7 @@ const std::vector<Parameter> parameters{
      .choices = colours,
      .description = "Of the lid."}};
 
-TEST(ParameterJson, FillsInDefaultsAndReadsBackAsTheSame) {
+TEST(ParameterJson, FillsInDefaultsAndIsReadBackAsWritten) {
   const Json filled = to_json(read_parameters(parameters, {{"width", 2}, {"count", 3}, {"other", "ignored"}}));
   EXPECT_EQ(filled, Json::parse(R"({"width": 2.0, "count": 3, "open": true, "colour": "blue"})"));
   EXPECT_TRUE(filled["width"].is_number_float()) << "a number is one however it was written";
@@ -47,7 +47,7 @@ const std::vector<Parameter> listed{{.name = "sizes",
                                      .choices = automatic,
                                      .description = "S."}};
 
-TEST(ParameterJson, ListsAreNumbersListsOrWords) {
+TEST(ParameterJson, AcceptsListsAsNumberListOrWord) {
   for (const Json& sizes : {Json(4), Json({4, 9, 1}), Json("auto")}) {
     EXPECT_EQ(to_json(read_parameters(listed, {{"sizes", sizes}})).at("sizes"), sizes);
   }
@@ -63,7 +63,7 @@ TEST(ParameterJson, ListsAreNumbersListsOrWords) {
         "else": {"type": "integer", "minimum": 1, "maximum": 9}}, "default": 3})"));
 }
 
-TEST(ParameterJson, RejectsInvalidValues) {
+TEST(ParameterJson, RejectsMissingKeysWrongTypesAndValuesOutOfBounds) {
   const auto message = [](const Json& settings) {
     return test::input_error_of([&] { read_parameters(parameters, settings); });
   };
@@ -92,7 +92,7 @@ TEST(ParameterJson, SchemaHasTypesBoundsChoicesAndDefaults) {
             Json::parse(R"({"description": "Of the lid.", "enum": ["red", "blue"], "default": "blue"})"));
 }
 
-TEST(ParameterJson, TheSchemaNamesTheUnit) {
+TEST(ParameterJson, SchemaStatesTheUnit) {
   const std::vector<Parameter> angle{{.name = "angle", .bounds = {.low = 0}, .description = "A.", .unit = "turns"}};
   EXPECT_EQ(Json(schema_of(angle[0])).at("description"), "A. Unit: turns.");
 }

@@ -26,13 +26,13 @@ Points vertices_of(const char* steps, std::uint64_t seed, const char* id, std::s
 
 constexpr const char* noise = R"([{"type": "vertex_noise", "amplitude": 0.01}])";
 
-TEST(PerturbModel, DependsOnSeedAndIdButNotOnTheIndex) {
+TEST(PerturbModel, DependsOnTheSeedAndModelIdButNotOnTheIndex) {
   EXPECT_EQ(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 1, "T3", 4));
   EXPECT_NE(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 1, "T4", 3));
   EXPECT_NE(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 2, "T3", 3));
 }
 
-TEST(PerturbModel, IsTheSameOnEveryMachine) {
+TEST(PerturbModel, SeedsRandomNumbersByTheHashOfTheModelId) {
   // Seeded by the id's 64-bit FNV-1a hash.
   RandomNumbers model(7, 0xaf63dc4c8601ec8cULL);  // published hash of "a"
   RandomNumbers step(model.next());
@@ -40,13 +40,13 @@ TEST(PerturbModel, IsTheSameOnEveryMachine) {
   EXPECT_EQ(vertices_of(noise, 7, "a", 0), vertex_noise(box, {.amplitude = 0.01}, step).vertices);
 }
 
-TEST(PerturbModel, StepsHaveIndependentRandomNumbers) {
+TEST(PerturbModel, UsesIndependentRandomNumbersPerStep) {
   const char* one_hole = R"([{"type": "flip_orientation", "fraction": 0.5}, {"type": "motion", "scale": 2}])";
   const char* no_hole = R"([{"type": "decimate", "faces": 1000}, {"type": "motion", "scale": 2}])";
   EXPECT_EQ(vertices_of(one_hole, 1, "T3", 0), vertices_of(no_hole, 1, "T3", 0));
 }
 
-TEST(PerturbModel, ReportsStepsThatMissTheirSettings) {
+TEST(PerturbModel, RemarksOnStepsThatMissTheRequestedAmount) {
   const Shape box = test::box({1, 2, 3}, 2);
   const auto remarks_of = [&](const char* steps) { return perturb_model(box, steps_of(steps), 1, "T3", 0).remarks; };
   EXPECT_TRUE(remarks_of(R"([{"type": "decimate", "faces": 40}])").empty());
@@ -59,7 +59,7 @@ TEST(PerturbModel, ReportsStepsThatMissTheirSettings) {
               testing::ElementsAre(remark));
 }
 
-TEST(PerturbModel, WithoutStepsChangesNothing) {
+TEST(PerturbModel, KeepsTheShapeUnchangedWithoutSteps) {
   const Shape box = test::box({1, 2, 3}, 2);
   const PerturbedShape same = perturb_model(box, {}, 1, "T3", 0);
   EXPECT_EQ(same.shape.vertices, box.vertices);
@@ -79,7 +79,7 @@ PerturbedShape perturbed(const std::string& assign, const std::string& id, std::
   return perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
 }
 
-TEST(OneOf, InTurnFollowsTheIndexOfTheModel) {
+TEST(OneOfPerturbations, InTurnFollowsTheIndexOfTheModel) {
   for (std::size_t model = 0; model < 7; ++model) {
     const PerturbedShape result = perturbed("in_turn", "T3", model);
     EXPECT_EQ(result.chosen, std::vector{model % 3});
@@ -87,7 +87,7 @@ TEST(OneOf, InTurnFollowsTheIndexOfTheModel) {
   }
 }
 
-TEST(OneOf, AtRandomIsUniformAndDependsOnTheId) {
+TEST(OneOfPerturbations, AtRandomIsUniformAndDependsOnTheModelId) {
   std::array<int, 3> times{};
   for (std::size_t i = 0; i < 3000; ++i) {
     const PerturbedShape result = perturbed("random", "T" + std::to_string(i), 0);
@@ -99,7 +99,7 @@ TEST(OneOf, AtRandomIsUniformAndDependsOnTheId) {
   EXPECT_EQ(perturbed("random", "T3", 0).chosen, perturbed("random", "T3", 5).chosen);
 }
 
-TEST(OneOf, MayBeNested) {
+TEST(OneOfPerturbations, CanBeNested) {
   const Json inner{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", choices()}};
   const Json outer{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", {Json::array(), Json::array({inner})}}};
   const PerturbedShape result =
@@ -108,7 +108,7 @@ TEST(OneOf, MayBeNested) {
   EXPECT_EQ(result.shape.vertices.rows(), 50);
 }
 
-TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
+TEST(OneOfPerturbations, FillsInTheDefaultsOfItsChoices) {
   const Json settings = to_json(make_perturbations({{{"type", "one_of"}, {"choices", choices()}}})).front();
   EXPECT_EQ(settings["assign"], "random");
   EXPECT_EQ(settings["choices"][0], Json::array());
@@ -132,7 +132,7 @@ void expect_step(const Json& settings, const OfTheCore& of_the_core) {
   }
 }
 
-TEST(MakePerturbation, StepsMatchTheFunctions) {
+TEST(MakePerturbation, AppliesTheLibraryFunctionOfEachStep) {
   expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}},
               [](const Shape& s, RandomNumbers& r) { return vertex_noise(s, {.amplitude = 0.02}, r); });
   expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}, {"distribution", "uniform"}},
@@ -153,13 +153,13 @@ TEST(MakePerturbation, StepsMatchTheFunctions) {
               [](const Shape& s, RandomNumbers& r) { return random_motion(s, 10, r); });
 }
 
-TEST(MakePerturbation, FillsInDefaults) {
+TEST(MakePerturbation, FillsInDefaultsOfOmittedSettings) {
   EXPECT_EQ(to_json(make_perturbations(Json::parse(R"([{"type": "holes"}, {"type": "flip_orientation"}])"))),
             Json::parse(
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
 }
 
-TEST(MakePerturbation, VersionsIncludeAllPossibleSteps) {
+TEST(MakePerturbation, ListsTheVersionsOfAllPossibleSteps) {
   using Versions = std::map<std::string, int>;
   EXPECT_EQ(versions_of(steps_of(R"([{"type": "holes"}])")), (Versions{{"holes", 1}}));
   const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};

@@ -37,7 +37,7 @@ std::string experiment_error_with(const std::string& pointer, const Json& value)
   return test::input_error_of([&] { configuration_with(pointer, value); });
 }
 
-TEST(Configuration, HasTheMeasuresOfItsProtocols) {
+TEST(ExperimentConfiguration, UsesTheMeasuresOfItsProtocolsByDefault) {
   const auto names_under = [](const char* protocol) {
     std::vector<std::string> names;
     for (const Measure& measure : configuration_with("/protocol", protocol).evaluation.measures)
@@ -49,7 +49,7 @@ TEST(Configuration, HasTheMeasuresOfItsProtocols) {
   EXPECT_THAT(names_under("trec"), testing::Contains("nDCG"));
 }
 
-TEST(Configuration, WritesPathsThatHoldInAnyFolder) {
+TEST(ExperimentConfiguration, WritesAbsolutePaths) {
   Json document = experiment_document();
   document["dataset"]["root"] = "../data";
   const Json written = to_json(configuration_from_json(document, "x.json", "configs/mine"));
@@ -58,7 +58,7 @@ TEST(Configuration, WritesPathsThatHoldInAnyFolder) {
   EXPECT_TRUE(written["dataset"]["classification"].get<std::string>().starts_with((here / "configs/data/").string()));
 }
 
-TEST(Configuration, ShortFormsMeanTheSameAsFullOnes) {
+TEST(ExperimentConfiguration, AcceptsShortFormsOfSettings) {
   const auto with = [](const char* defaults, const char* signatures) {
     Json document = experiment_document();
     document["defaults"] = Json::parse(defaults);
@@ -89,13 +89,13 @@ TEST(Configuration, ShortFormsMeanTheSameAsFullOnes) {
   for (const auto& [place, value] : mistakes) EXPECT_NE(experiment_error_with(place, value), "no error") << place;
 }
 
-TEST(Configuration, SmoothingMayBeAsWideAsAllBins) {
+TEST(ExperimentConfiguration, AcceptsSmoothingAsWideAsTheHistogram) {
   EXPECT_EQ(
       configuration_with("/signatures/1/histogram/smoothing_bins", 40).signatures[1].histogram.options.smoothing_bins,
       40);
 }
 
-TEST(Configuration, FillsInDefaults) {
+TEST(ExperimentConfiguration, FillsInDefaultsOfOmittedSettings) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", "/configs");
   EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
   EXPECT_EQ(configuration.evaluation.minimum_class_size, 2);
@@ -115,7 +115,7 @@ TEST(Configuration, FillsInDefaults) {
   EXPECT_EQ(configuration.location->classification, "/configs/data/test.cla");
 }
 
-TEST(Configuration, SurvivesARoundTripThroughJson) {
+TEST(ExperimentConfiguration, IsReadBackFromJsonAsWritten) {
   Json full = experiment_document();
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
@@ -140,7 +140,7 @@ TEST(Configuration, SurvivesARoundTripThroughJson) {
   EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
 }
 
-TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
+TEST(ExperimentConfiguration, ResolvesPathsAgainstTheFileAndTheClassificationAgainstTheRoot) {
   setenv("SHAPEGAUGE_TEST_ROOT", "/data/shapes", 1);
   const auto absolute = configuration_with("/dataset/root", "${SHAPEGAUGE_TEST_ROOT}");
   EXPECT_EQ(absolute.location->root, "/data/shapes");
@@ -149,12 +149,12 @@ TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
   EXPECT_EQ(configuration_with("/dataset/layout", "csv").location->classification, "/configs/data/models.csv");
 }
 
-TEST(Configuration, ComputesPartsFirst) {
+TEST(ExperimentConfiguration, ComputesInputsBeforeDerivedSignatures) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", ".");
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
-TEST(Configuration, ErrorsNameTheLocation) {
+TEST(ExperimentConfiguration, ErrorsNameTheLocation) {
   unsetenv("SHAPEGAUGE_TEST_UNSET");
   const auto json = [](const char* text) { return Json::parse(text); };
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
@@ -172,8 +172,8 @@ TEST(Configuration, ErrorsNameTheLocation) {
       {"/signatures/2/concatenate",
        {"b", "A"},
        "signatures.2.concatenate.1: there is no signature \"A\"; did you mean"},
-      {"/signatures/3/concatenate", {"c"}, "is a part of itself"},
-      {"/signatures/3/concatenate", {"d"}, "signatures.3.concatenate: the signature \"d\" is a part of itself"},
+      {"/signatures/3/concatenate", {"c"}, "refers to itself"},
+      {"/signatures/3/concatenate", {"d"}, "signatures.3.concatenate: the signature \"d\" refers to itself"},
       {"/signatures/1/name", "a", "signatures.1.name: the name \"a\""},
       {"/signatures/1/field/postprocess", true, "signatures.1.field: \"postprocess\" needs"},
       {"/signatures/1/field", json(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})"), "faces only"},
@@ -195,7 +195,7 @@ TEST(Configuration, ErrorsNameTheLocation) {
   }
 }
 
-TEST(Configuration, ReportShowsTheFirstFieldByDefault) {
+TEST(ExperimentConfiguration, ShowsTheFirstFieldInReportsByDefault) {
   const ReportConfiguration usual = configuration_from_json(experiment_document(), "x.json", "/configs").report;
   EXPECT_TRUE(usual.wanted && usual.pictures);
   EXPECT_EQ(usual.pictured_signature, 0U);
@@ -211,7 +211,7 @@ TEST(Configuration, ReportShowsTheFirstFieldByDefault) {
   EXPECT_EQ(other.picture_options.range.high, 0.2);
 }
 
-TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
+TEST(ReadConfiguration, AppliesOverridesBeforeChecking) {
   const test::TemporaryFolder folder;
   const auto path = folder.file("x.json", experiment_document().dump());
   const std::vector<std::string> overrides{"signatures.0.histogram.bins=7", "name=other"};
@@ -224,7 +224,7 @@ TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
               Eq(path.string() + ": signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
 }
 
-TEST(ReadConfiguration, PathsOfOverridesBeginAtTheWorkingDirectory) {
+TEST(ReadConfiguration, ResolvesPathsOfOverridesAgainstTheWorkingDirectory) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;
   const auto path = folder.file("x.json", experiment_document().dump());
@@ -244,7 +244,7 @@ TEST(ReadConfiguration, PathsOfOverridesBeginAtTheWorkingDirectory) {
   EXPECT_EQ(location({"dataset.root=${SHAPEGAUGE_TEST_ROOT}/m"}).root, "/elsewhere/m");
 }
 
-TEST(ApplyOverrides, ResolvesPaths) {
+TEST(ApplyOverrides, ResolvesPathsAgainstTheWorkingDirectory) {
   const std::string here = std::filesystem::current_path().string();
   auto document = nlohmann::json::parse(
       R"({"datasets": [{"name": "a", "layout": "csv", "root": "x"}, {"name": "b", "layout": "csv", "root": "x"}],

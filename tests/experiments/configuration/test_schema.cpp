@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-TEST(ParameterGroups, AnglesAndOffsetsHaveTheirUnits) {
+TEST(ParameterGroups, StateTheUnitsOfAnglesAndOffsets) {
   std::size_t angles = 0;
   std::size_t offsets = 0;
   for (const ParameterGroup& field : field_groups()) {
@@ -38,7 +38,7 @@ TEST(ParameterGroups, AnglesAndOffsetsHaveTheirUnits) {
 
 Json schema_at(const std::string& pointer) { return Json(schema_definitions()).at(Json::json_pointer(pointer)); }
 
-TEST(ExperimentSchema, HasTheParametersOfEachType) {
+TEST(ExperimentSchema, ContainsTheParametersOfEachType) {
   const Json cone = schema_at("/field/allOf/1/then");
   EXPECT_EQ(cone["properties"]["type"]["const"], "cone_sdf");
   EXPECT_EQ(cone["properties"]["rays"]["minimum"], 1);
@@ -59,7 +59,7 @@ TEST(ConfigurationReference, ShowsAValidConfiguration) {
   EXPECT_EQ(configuration.signatures.size(), document["signatures"].size());
 }
 
-TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
+TEST(ExtendingGuide, ShowsTheCodeOfTheTestedExample) {
   const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
   const std::string page = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/developer/extending.md");
   const std::string_view fence = "```cpp\n";
@@ -100,7 +100,7 @@ std::vector<std::string> code_words(const std::string& text) {
   return words;
 }
 
-TEST(ExtendingGuide, NamesThePlacesOfEachKind) {
+TEST(ExtendingGuide, NamesTheFilesOfEachExtensionKind) {
   const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
   const std::filesystem::path repository = SHAPEGAUGE_SOURCE_FOLDER;
   int from_outside = 0;

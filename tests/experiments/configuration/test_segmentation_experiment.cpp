@@ -21,7 +21,7 @@ SegmentationExperiment read(const Json& dataset, const Json& method) {
 
 const Json benchmark{{"layout", "psb_segmentation"}, {"root", "psb"}};
 
-TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
+TEST(SegmentationExperiment, IsReadBackAsWritten) {
   const std::vector<std::pair<Json, Json>> cases{
       {benchmark, {{"name", "a"}, {"patches", 70}, {"min_probability", 0.75}, {"border_width", 0}}},
       {benchmark, {{"name", "b"}, {"method", "paper"}, {"field", "cone_sdf"}, {"parts", 3}}},
@@ -40,7 +40,7 @@ TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
   }
 }
 
-TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
+TEST(SegmentationExperiment, ReadsPathsAndSettingsFromTheConfiguration) {
   const SegmentationExperiment experiment =
       read({{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
            {{"name", "c"}, {"patches", 70}, {"min_probability", 0.75}, {"border_width", 0.01}});
@@ -53,13 +53,13 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
-TEST(SegmentationExperiment, SuggestsTheNamesOfFields) {
+TEST(SegmentationExperiment, SuggestsTheNearestFieldName) {
   const Json method{{"name", "a"}, {"method", "paper"}, {"field", "ball"}};
   EXPECT_THAT(test::input_error_of([&] { read(benchmark, method); }),
               HasSubstr("field: unknown word \"ball\"; known here: \"offset_sdf\", \"cone_sdf\""));
 }
 
-TEST(SegmentationExperiment, HasThePreparationOfOtherExperiments) {
+TEST(SegmentationExperiment, AcceptsPreparationSettings) {
   Json document{{"name", "x"}, {"dataset", benchmark}, {"segmentation", {{{"name", "a"}}}}};
   const auto read_document = [&] { return segmentation_from_json(document, "x.json", "/data"); };
   EXPECT_EQ(read_document().preparation, PreparationOptions());
@@ -70,7 +70,7 @@ TEST(SegmentationExperiment, HasThePreparationOfOtherExperiments) {
   EXPECT_THAT(test::input_error_of(read_document), HasSubstr("preparation: unknown key \"denoised\""));
 }
 
-TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {
+TEST(SegmentationExperiment, RejectsSettingsOfAnotherMethodOrLayout) {
   const auto refusal = [](const Json& dataset, const Json& method) {
     return test::input_error_of([&] { read(dataset, method); });
   };

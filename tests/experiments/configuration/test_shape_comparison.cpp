@@ -31,7 +31,7 @@ std::string comparison_error_with(const std::string& pointer, const Json& value)
   return test::input_error_of([&] { comparison_from_json(changed, "x.json", "/configs"); });
 }
 
-TEST(ReadComparison, FillsInDefaults) {
+TEST(ReadComparison, FillsInDefaultsOfOmittedSettings) {
   const ShapeComparison comparison = comparison_from_json(comparison_document(), "x.json", "/configs");
   ASSERT_EQ(comparison.shapes.size(), 3U);
   EXPECT_EQ(comparison.shapes[0].file, "/configs/a.off");
@@ -44,7 +44,7 @@ TEST(ReadComparison, FillsInDefaults) {
   EXPECT_EQ(comparison.on_error, OnError::stop);
 }
 
-TEST(ReadComparison, SurvivesARoundTripThroughJson) {
+TEST(ReadComparison, IsReadBackFromJsonAsWritten) {
   Json full = comparison_document();
   full["registered"] = false;
   full["description"] = "why";
@@ -74,7 +74,7 @@ TEST(ReadComparison, ErrorsNameTheLocationAndTheNearestWord) {
   without.erase("reference");
   without["registered"] = true;
   EXPECT_THAT(test::input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
-              HasSubstr("registered: needs a \"reference\""));
+              HasSubstr("registered: requires \"reference\""));
 }
 
 }  // namespace

@@ -102,18 +102,18 @@ std::vector<std::pair<Json, Json::json_pointer>> places_of_every_kind() {
   return result;
 }
 
-class WrongValues : public testing::Test {
+class ConfigurationCheck : public testing::Test {
  protected:
   void SetUp() override {
     for (const char* folder : {"SHAPEGAUGE_DATA", "SHREC11_ROOT"}) setenv(folder, "/data", 0);
   }
 };
 
-TEST_F(WrongValues, ValidConfigurationsAreRead) {
+TEST_F(ConfigurationCheck, AcceptsValidExamples) {
   for (const Json& experiment : all_experiments()) EXPECT_EQ(error_of(experiment), "");
 }
 
-TEST_F(WrongValues, AreInputErrorsWithTheirLocation) {
+TEST_F(ConfigurationCheck, RejectsInvalidValuesWithTheirLocation) {
   const std::vector<Json> values = {
       nullptr,   true, -1.5, 1e300, std::numeric_limits<std::uint64_t>::max(), "x", Json::array({1, "x", nullptr}),
       {{"x", 1}}};
@@ -136,7 +136,7 @@ TEST_F(WrongValues, AreInputErrorsWithTheirLocation) {
   EXPECT_GT(errors, 500U);
 }
 
-TEST_F(WrongValues, MissingKeysAreInputErrors) {
+TEST_F(ConfigurationCheck, ReportsMissingKeysAsInputErrors) {
   for (const auto& [experiment, place] : places_of_every_kind()) {
     Json changed = experiment;
     Json& parent = changed[place.parent_pointer()];
@@ -149,7 +149,7 @@ TEST_F(WrongValues, MissingKeysAreInputErrors) {
   }
 }
 
-TEST_F(WrongValues, ExperimentsOfAnotherKindAreInputErrors) {
+TEST_F(ConfigurationCheck, RejectsConfigurationsOfAnotherKindOfExperiment) {
   for (const Json& experiment : all_experiments()) {
     const auto refuses = [&](auto&& reading) {
       try {
@@ -168,7 +168,7 @@ TEST_F(WrongValues, ExperimentsOfAnotherKindAreInputErrors) {
   }
 }
 
-TEST_F(WrongValues, NonObjectsAreInputErrors) {
+TEST_F(ConfigurationCheck, RejectsDocumentsThatAreNotObjects) {
   for (const Json& document : {Json(), Json(3), Json("x"), Json::array(), Json::object()}) {
     EXPECT_NE(error_of(document), "") << document;
   }

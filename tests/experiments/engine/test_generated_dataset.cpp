@@ -30,9 +30,9 @@ int models_made(std::uint64_t seed, const fs::path& folder) {
   return made;
 }
 
-using PrepareGenerated = test::FolderTest;
+using PrepareGeneratedDataset = test::FolderTest;
 
-TEST_F(PrepareGenerated, GeneratesADataSetOnce) {
+TEST_F(PrepareGeneratedDataset, GeneratesADataSetOnlyOnce) {
   EXPECT_EQ(models_made(1, at("new")), 2);
   const std::string first = text_of(at("new/T0.off"));
   EXPECT_EQ(models_made(1, at("new")), 0);
@@ -40,20 +40,20 @@ TEST_F(PrepareGenerated, GeneratesADataSetOnce) {
   EXPECT_NE(text_of(at("new/T0.off")), first);
 }
 
-TEST_F(PrepareGenerated, RegeneratesAnIncompleteDataSet) {
+TEST_F(PrepareGeneratedDataset, RegeneratesAnIncompleteDataSet) {
   RunControl control;
   control.interrupted = [] { return true; };
   EXPECT_THROW(prepare_generated(at("new"), two_generated(1), control), Interrupted);
   EXPECT_EQ(models_made(1, at("new")), 2);
 }
 
-TEST_F(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
+TEST_F(PrepareGeneratedDataset, DoesNotReplaceAnotherDataSet) {
   test::write_text(at("T0.off"), "mine");
   EXPECT_THROW(prepare_generated(folder_.path(), two_generated(1), {}), InputError);
   EXPECT_EQ(text_of(at("T0.off")), "mine");
 }
 
-TEST_F(PrepareGenerated, KeepsAFileThatIsNotARecord) {
+TEST_F(PrepareGeneratedDataset, KeepsAFileThatIsNotARecord) {
   for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
     const test::TemporaryFolder folder;
     test::write_text(folder.path() / "generated.json", text);

@@ -15,7 +15,7 @@ using test::write_text;
 // SHA-256 of "abc" and of the empty text: FIPS 180-4.
 constexpr const char* hash_of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
-TEST(Manifest, HashesOutputsExceptTimings) {
+TEST(RunManifest, HashesOutputsExceptTimings) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "summary.csv", "abc");
   write_text(folder.path() / "shape_seconds.csv", "1");
@@ -24,7 +24,7 @@ TEST(Manifest, HashesOutputsExceptTimings) {
             (OrderedJson{{"algorithm", "SHA-256"}, {"files", {{"summary.csv", hash_of_abc}}}}));
 }
 
-TEST(Manifest, CountsTheUseOfTheCacheByKind) {
+TEST(RunManifest, CountsCachedAndComputedResultsByKind) {
   EXPECT_EQ(cache_json({}), nullptr);
   CacheReport report{.folder = "cache", .uses = {}};
   report.uses.at(static_cast<std::size_t>(EntryKind::field)) = {.hits = 2, .computed = 1};

@@ -38,7 +38,7 @@ class AutomaticPart : public testing::Test {
   }
 };
 
-TEST(Part, PartsCoverEachItemOnce) {
+TEST(RunPart, AllPartsTogetherCoverEachItemOnce) {
   std::vector<std::size_t> items;
   for (std::size_t i = 0; i < 11; ++i) items.push_back(2 * i);
   for (const std::size_t count : {1U, 2U, 3U, 11U, 20U}) {
@@ -51,7 +51,7 @@ TEST(Part, PartsCoverEachItemOnce) {
   EXPECT_THAT((Part{.number = 2, .count = 4}.of(items)), ElementsAre(2, 10, 18));
 }
 
-TEST(Part, IsParsed) {
+TEST(RunPart, IsParsedFromText) {
   const Part part = parse_part("3/64");
   EXPECT_EQ(part.number, 3U);
   EXPECT_EQ(part.count, 64U);
@@ -60,7 +60,7 @@ TEST(Part, IsParsed) {
   }
 }
 
-TEST_F(AutomaticPart, ReadsTheEnvironmentOfLaunchers) {
+TEST_F(AutomaticPart, FollowsTheEnvironmentOfJobLaunchers) {
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "1"}}),
             "3/8");
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "0"}}),
@@ -74,7 +74,7 @@ TEST_F(AutomaticPart, ReadsTheEnvironmentOfLaunchers) {
   EXPECT_EQ(part_with({{"SLURM_PROCID", "5"}, {"SLURM_NTASKS", "6"}}), "6/6");
 }
 
-TEST_F(AutomaticPart, PrefersTheInnermostLauncher) {
+TEST_F(AutomaticPart, UsesTheInnermostOfSeveralJobLaunchers) {
   EXPECT_EQ(
       part_with(
           {{"OMPI_COMM_WORLD_RANK", "3"}, {"OMPI_COMM_WORLD_SIZE", "4"}, {"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "1"}}),
@@ -90,7 +90,7 @@ TEST_F(AutomaticPart, PrefersTheInnermostLauncher) {
 }
 
 /// With --array=1,3,7, two tasks would have the first part of three, and none the second.
-TEST_F(AutomaticPart, NeedsEvenlySpacedTasks) {
+TEST_F(AutomaticPart, RejectsUnevenlySpacedTasks) {
   std::map<std::string, std::string> task{{"SLURM_ARRAY_TASK_ID", "7"},
                                           {"SLURM_ARRAY_TASK_COUNT", "3"},
                                           {"SLURM_ARRAY_TASK_MIN", "1"},
@@ -101,7 +101,7 @@ TEST_F(AutomaticPart, NeedsEvenlySpacedTasks) {
   EXPECT_EQ(part_with(task), "3/3");
 }
 
-TEST_F(AutomaticPart, NeedsALauncher) {
+TEST_F(AutomaticPart, RejectsACallWithoutALauncher) {
   EXPECT_THAT(test::input_error_of([&] { (void)parse_part("auto"); }), HasSubstr("SLURM_ARRAY_TASK_ID"));
   EXPECT_THAT(test::input_error_of([&] {
                 (void)part_with({{"SLURM_PROCID", "1"}, {"SLURM_NTASKS", "x"}});

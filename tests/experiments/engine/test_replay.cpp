@@ -19,7 +19,7 @@ DocumentPaths paths(const Json& /*document*/) {
   return {.files = {"/shapes/*/file"}, .datasets = {"/dataset", "/datasets/*"}};
 }
 
-TEST(Replay, RejectsIncompleteManifests) {
+TEST(ManifestReplay, RejectsIncompleteManifests) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const std::string& text) {
     test::write_text(folder.path() / "m.json", text);
@@ -33,7 +33,7 @@ TEST(Replay, RejectsIncompleteManifests) {
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
 }
 
-TEST(Replay, RejectsInvalidEntries) {
+TEST(ManifestReplay, RejectsEntriesOfAnotherTypeWithTheirLocation) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const Json& inputs, const Json& outputs, const Json& failed = Json::array()) {
     const Json manifest{
@@ -52,7 +52,7 @@ TEST(Replay, RejectsInvalidEntries) {
   EXPECT_THAT(error_for(Json::object(), files, Json::array({5})), HasSubstr("m.json: failed_models: expected"));
 }
 
-TEST(Replay, AcceptsAnotherFolderOfTheDataSet) {
+TEST(ManifestReplay, AcceptsAnotherFolderOfTheDataSet) {
   Json manifest{
       {"configuration",
        {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
@@ -65,7 +65,7 @@ TEST(Replay, AcceptsAnotherFolderOfTheDataSet) {
   EXPECT_EQ(moved["classification"], "/old/database/test.cla") << "it did not lie in the data set's folder";
 }
 
-TEST(Replay, AcceptsAnotherFolderOfComparedShapes) {
+TEST(ManifestReplay, AcceptsAnotherFolderOfComparedShapes) {
   const Json manifest{{"configuration",
                        {{"shapes",
                          {{{"name", "a"}, {"file", "/old/models/animals/cat.off"}},
@@ -77,7 +77,7 @@ TEST(Replay, AcceptsAnotherFolderOfComparedShapes) {
   EXPECT_FALSE(shapes[2].contains("file"));
 }
 
-TEST(Replay, InvalidPathsAreErrorsWithTheirLocation) {
+TEST(ManifestReplay, RejectsPathsThatAreNotStringsWithTheirLocation) {
   const auto error_of = [](const Json& configuration) {
     return test::input_error_of([&] { recorded_configuration({{"configuration", configuration}}, "/new", paths); });
   };
@@ -87,7 +87,7 @@ TEST(Replay, InvalidPathsAreErrorsWithTheirLocation) {
   EXPECT_THAT(error_of({{"shapes", {{{"name", "a"}, {"file", false}}}}}), HasSubstr("configuration.shapes.0.file"));
 }
 
-TEST(Replay, GeneratedDataHasNoFolder) {
+TEST(ManifestReplay, RejectsADataSetFolderForGeneratedData) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new", paths); }),
               HasSubstr("`dataset_root`"));
@@ -96,7 +96,7 @@ TEST(Replay, GeneratedDataHasNoFolder) {
               HasSubstr("`dataset_root`"));
 }
 
-TEST(Replay, AcceptsAnotherFolderOfOneOfSeveralDataSets) {
+TEST(ManifestReplay, AcceptsAnotherFolderForOneOfSeveralDataSets) {
   Json manifest{{"configuration",
                  {{"datasets", {{{"name", "a"}, {"generate", Json::object()}}, {{"name", "b"}, {"root", "/old/b"}}}}}}};
   EXPECT_EQ(recorded_configuration(manifest, "/new", paths)["datasets"][1]["root"], "/new");
@@ -105,7 +105,7 @@ TEST(Replay, AcceptsAnotherFolderOfOneOfSeveralDataSets) {
               HasSubstr("datasets.1.root=FOLDER"));
 }
 
-TEST(Replay, NamesChangedInputs) {
+TEST(ManifestReplay, NamesChangedInputs) {
   const Json recorded{
       {"inputs",
        {{"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}}}};
@@ -118,7 +118,7 @@ TEST(Replay, NamesChangedInputs) {
               ElementsAre("shape cat is absent"));
 }
 
-TEST(Replay, IgnoresUnrecordedKindsOfInputs) {
+TEST(ManifestReplay, IgnoresUnrecordedKindsOfInputs) {
   const Json inputs{{"models", {{"1", "aa"}}}};
   const Json recorded{{"inputs", inputs}};
   EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}}}, {"classification", "dd"}}), IsEmpty());
@@ -128,7 +128,7 @@ TEST(Replay, IgnoresUnrecordedKindsOfInputs) {
               ElementsAre("the classification is absent"));
 }
 
-TEST(Replay, SummarisesUnrecordedFilesOfFailedModels) {
+TEST(ManifestReplay, SummarisesUnrecordedFilesOfFailedModels) {
   const Json recorded{{"inputs", {{"models", {{"1", "aa"}}}}},
                       {"failed_models", {{{"model", "2"}, {"error", "x"}}, {{"model", "3"}, {"error", "x"}}}}};
   const Json now{{"models", {{"1", "aa"}, {"2", "bb"}, {"2/a.seg", "cc"}, {"20", "dd"}, {"3", "ee"}}}};
@@ -137,7 +137,7 @@ TEST(Replay, SummarisesUnrecordedFilesOfFailedModels) {
                           "the files of 2 models that failed in the recorded run were not recorded"));
 }
 
-TEST(Replay, NamesADifferentProgram) {
+TEST(ManifestReplay, NamesADifferentVersionOrProcessor) {
   Json manifest = program_json();
   EXPECT_THAT(changed_program(manifest), IsEmpty());
   manifest["shapegauge"] = "0.0.0";
@@ -147,7 +147,7 @@ TEST(Replay, NamesADifferentProgram) {
                                             testing::MatchesRegex("processor: .*, recorded was \"unknown\"")));
 }
 
-TEST(Replay, ComparesOutputsByHash) {
+TEST(ManifestReplay, ComparesOutputsByHash) {
   const Json recorded{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "2"}, {"c.csv", "3"}}}}}};
   const Json now{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "x"}}}}},
                  {"files", {"a.csv", "b.csv", "shape_seconds.csv"}}};

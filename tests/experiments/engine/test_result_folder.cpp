@@ -16,7 +16,7 @@ using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(FileSafeName, KeepsSafeCharacters) {
+TEST(FileSafeName, ReplacesOnlyUnsafeCharacters) {
   EXPECT_EQ(file_safe_name("Our SDF (d = 1%)"), "Our_SDF_d_1");
   EXPECT_EQ(file_safe_name("v1.2-b"), "v1.2-b");
   EXPECT_EQ(file_safe_name("a/../b"), "a_.._b");
@@ -26,12 +26,12 @@ TEST(FileSafeName, KeepsSafeCharacters) {
   EXPECT_EQ(file_safe_name(std::string(300, 'a')).size(), 100U);
 }
 
-TEST(FileSafeNames, DifferIgnoringCase) {
+TEST(FileSafeNames, StayDifferentIfCaseIsIgnored) {
   const std::vector<std::string> names{"a b", "a/b", "A?b", "a_b_2"};
   EXPECT_THAT(file_safe_names(names), ElementsAre("a_b", "a_b_2", "A_b_3", "a_b_2_2"));
 }
 
-RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
+RC_GTEST_PROP(FileSafeName, IsNonEmptyVisibleAndWithoutSeparators, (const std::string& name)) {
   const std::string safe = file_safe_name(name);
   RC_ASSERT(!safe.empty());
   RC_ASSERT(safe.front() != '.');
@@ -43,7 +43,7 @@ std::string lock_error(const fs::path& folder) {
   return test::input_error_of([&] { const FolderLock lock(folder); });
 }
 
-TEST(FolderLock, ExcludesASecondLock) {
+TEST(FolderLock, RejectsASecondLockOfTheFolder) {
   const test::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
@@ -56,13 +56,13 @@ TEST(FolderLock, ExcludesASecondLock) {
   EXPECT_EQ(lock_error(folder.path() / "a/b"), "no error");
 }
 
-TEST(FolderLock, IgnoresTheFileOfAKilledRun) {
+TEST(FolderLock, IgnoresTheLockFileOfAKilledRun) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / ".shapegauge-lock", "");
   EXPECT_EQ(lock_error(folder.path()), "no error");
 }
 
-TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
+TEST(FolderLock, RejectsAFolderWithoutWritePermission) {
   EXPECT_THAT(lock_error("/proc/x"), HasSubstr("/proc/x"));
   EXPECT_THAT(lock_error("/proc"), HasSubstr("cannot write to the folder /proc"));
 }
@@ -80,12 +80,12 @@ TEST_F(ResultFolder, IsCreatedWithItsParents) {
   EXPECT_TRUE(fs::is_empty(at("a/b")));
 }
 
-TEST_F(ResultFolder, IgnoresOtherFiles) {
+TEST_F(ResultFolder, AcceptsAFolderWithUnrelatedFiles) {
   write_text(at("notes.txt"), "x");
   EXPECT_EQ(error_for(folder_.path()), "no error");
 }
 
-TEST_F(ResultFolder, TheSameConfigurationMayRunAgain) {
+TEST_F(ResultFolder, CanBeReusedByTheSameConfiguration) {
   write_text(at("manifest.json"), R"({"configuration": {"name": "mine"}})");
   EXPECT_EQ(error_for(folder_.path()), "no error");
 }
@@ -109,7 +109,7 @@ TEST_F(ResultFolder, RejectsUnwritableFolders) {
 }
 
 /// Folder with results of an earlier run and a file of the user.
-class StagedResultsTest : public test::FolderTest {
+class StagedResultsInAFolder : public test::FolderTest {
  protected:
   void SetUp() override {
     write_text(at("summary.csv"), "old");
@@ -120,7 +120,7 @@ class StagedResultsTest : public test::FolderTest {
   }
 };
 
-TEST_F(StagedResultsTest, ReplaceEarlierResults) {
+TEST_F(StagedResultsInAFolder, ReplaceEarlierResults) {
   {
     StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");
@@ -137,7 +137,7 @@ TEST_F(StagedResultsTest, ReplaceEarlierResults) {
   EXPECT_EQ(folder_.size(), 4U) << "nothing else: notes, manifest, summary, distances";
 }
 
-TEST_F(StagedResultsTest, InputsMustNotBeResultsOfAnEarlierRun) {
+TEST_F(StagedResultsInAFolder, MustNotReplaceInputsFromAnEarlierRun) {
   const fs::path superseded = at("distances/b.npy");
   EXPECT_THROW(check_results_are_no_inputs(folder_.path(), {}, {&superseded, 1}), InputError);
   const fs::path folder_of_results = at("distances");
@@ -146,7 +146,7 @@ TEST_F(StagedResultsTest, InputsMustNotBeResultsOfAnEarlierRun) {
   EXPECT_NO_THROW(check_results_are_no_inputs(folder_.path(), {}, {&of_the_user, 1}));
 }
 
-TEST_F(StagedResultsTest, AManifestThatListsOtherFilesRemovesNone) {
+TEST_F(StagedResultsInAFolder, DoNotRemoveUnrelatedFilesListedByAManifest) {
   const test::TemporaryFolder elsewhere;
   const fs::path neighbour = folder_.path().parent_path() / (folder_.path().filename().string() + "-neighbour.csv");
   const std::string outside = (elsewhere.path() / "summary.csv").string();
@@ -174,7 +174,7 @@ TEST_F(StagedResultsTest, AManifestThatListsOtherFilesRemovesNone) {
   fs::remove(neighbour);
 }
 
-TEST_F(StagedResultsTest, KeepEarlierResultsUnlessPublished) {
+TEST_F(StagedResultsInAFolder, KeepEarlierResultsUnlessPublished) {
   {
     const StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");
@@ -183,7 +183,7 @@ TEST_F(StagedResultsTest, KeepEarlierResultsUnlessPublished) {
   EXPECT_FALSE(fs::exists(at(".shapegauge-new")));
 }
 
-TEST_F(StagedResultsTest, RemoveFilesOfAKilledRun) {
+TEST_F(StagedResultsInAFolder, RemoveTemporaryFilesOfAKilledRun) {
   write_text(at(".shapegauge-new/per_class.csv"), "half");
   {
     const StagedResults staged(folder_.path());
@@ -192,7 +192,7 @@ TEST_F(StagedResultsTest, RemoveFilesOfAKilledRun) {
   EXPECT_FALSE(fs::exists(at(".shapegauge-new")));
 }
 
-TEST_F(StagedResultsTest, AFileThatCannotBeMovedIsAnError) {
+TEST_F(StagedResultsInAFolder, ReportAFileThatCannotBeMoved) {
   fs::remove(at("summary.csv"));
   write_text(at("summary.csv/x"), "a folder of that name");
   StagedResults staged(folder_.path());

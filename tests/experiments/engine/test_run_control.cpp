@@ -37,7 +37,7 @@ std::vector<ModelFailure> failures_of_two(bool stop_at_failure) {
   return failures;
 }
 
-TEST(ForEachModel, FailuresAreInTheOrderOfTheModels) {
+TEST(ForEachModel, ReturnsFailuresInTheOrderOfModels) {
   const std::vector<ModelFailure> failures = failures_of_two(false);
   ASSERT_EQ(failures.size(), 2U);
   EXPECT_EQ(failures[0].model, 0U);
@@ -62,7 +62,7 @@ TEST(ForEachModel, StartsNoMoreModelsAfterAFailure) {
   EXPECT_THAT(begun, testing::ElementsAre(2, 3));
 }
 
-TEST(ForEachModel, PropagatesLackOfMemory) {
+TEST(ForEachModel, PropagatesOutOfMemoryErrors) {
   const std::vector<std::size_t> models{0, 1, 2};
   const auto job = [](std::size_t model) {
     if (model == 1) throw std::bad_alloc();
@@ -70,7 +70,7 @@ TEST(ForEachModel, PropagatesLackOfMemory) {
   EXPECT_THROW(for_each_model(models, "models", false, {}, job), std::bad_alloc);
 }
 
-TEST(ForEachModelInTurn, WorksOnOneModelAtATimeWithAllThreads) {
+TEST(ForEachModelInTurn, ProcessesOneModelAtATimeWithAllThreads) {
   const std::vector<std::size_t> models{2, 3, 5, 7};
   int jobs = 0;
   std::atomic<int> running = 0;
@@ -87,7 +87,7 @@ TEST(ForEachModelInTurn, WorksOnOneModelAtATimeWithAllThreads) {
   EXPECT_EQ(jobs, 4);
 }
 
-TEST(ForEachModel, AnInterruptionIsThrown) {
+TEST(ForEachModel, ThrowsIfInterrupted) {
   const RunControl control{.interrupted = [] { return true; }};
   EXPECT_THROW(for_each_model(two_models, "test", false, control, [](std::size_t) {}), Interrupted);
 }

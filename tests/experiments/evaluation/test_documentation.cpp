@@ -51,9 +51,9 @@ std::vector<std::vector<std::string>> table_after(const std::string& heading) {
   return rows;
 }
 
-class FiveShapes : public test::FolderTest {
+class DocumentedExample : public test::FolderTest {
  protected:
-  FiveShapes() {
+  DocumentedExample() {
     test::write_text(at("five.csv"), block_after("`five.csv`"));
     test::write_text(at("classes.csv"), block_after("`classes.csv`"));
     input = open_evaluation_files({.matrix = at("five.csv"), .labels = at("classes.csv")});
@@ -78,7 +78,7 @@ void expect_printed(const std::string& printed, double value, const std::string&
   EXPECT_NEAR(*number, value, 0.00005) << what;
 }
 
-TEST_F(FiveShapes, EveryMeasureHasTheDocumentedValue) {
+TEST_F(DocumentedExample, HasTheStatedValueOfEveryMeasure) {
   const auto rows = table_after("## Measures");
   std::size_t worked = 0;
   for (const MeasureDefinition& definition : measure_definitions().entries()) {
@@ -95,14 +95,14 @@ TEST_F(FiveShapes, EveryMeasureHasTheDocumentedValue) {
   EXPECT_EQ(rows.size(), worked);
 }
 
-TEST_F(FiveShapes, ProtocolsHaveTheDocumentedValues) {
+TEST_F(DocumentedExample, HasTheStatedValueUnderEachProtocol) {
   for (const auto& row : table_after("## Protocols")) {
     expect_printed(row[1], value(row[0], "psb"), row[0] + " psb");
     expect_printed(row[2], value(row[0], "paper"), row[0] + " paper");
   }
 }
 
-TEST_F(FiveShapes, TiesHaveTheDocumentedValues) {
+TEST_F(DocumentedExample, HasTheStatedValueForEachOrderOfTies) {
   const auto rows = table_after("## Ties");
   EXPECT_EQ(rows.size(), list_of_words<Ties>().size());
   for (const auto& row : rows) {
@@ -112,7 +112,7 @@ TEST_F(FiveShapes, TiesHaveTheDocumentedValues) {
   }
 }
 
-TEST(Guide, ListsAllDistances) {
+TEST(EvaluationGuide, ListsAllRegisteredDistances) {
   std::vector<std::string> named;
   for (const auto& row : table_after("## Distances")) {
     for (std::string_view cell = row[0]; cell.find('`') != std::string_view::npos;) {
@@ -124,7 +124,7 @@ TEST(Guide, ListsAllDistances) {
   EXPECT_THAT(named, testing::UnorderedElementsAreArray(distances().names()));
 }
 
-TEST(Guide, ListsAllProtocolsAndCurves) {
+TEST(EvaluationGuide, ListsAllRegisteredProtocolsAndCurves) {
   for (const std::string& name : list_of_words<Protocol>())
     EXPECT_THAT(guide(), testing::HasSubstr("\n| `" + name + "`"));
   const std::string curves = guide().substr(guide().find("## Precision-recall"));

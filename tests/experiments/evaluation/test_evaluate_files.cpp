@@ -82,11 +82,11 @@ class EvaluateFiles : public test::FolderTest {
   }
 };
 
-TEST_F(EvaluateFiles, FeaturesGiveTheBytesOfTheirMatrixForEveryDistance) {
+TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheirMatrixForEveryDistance) {
   for (const std::string& distance : distances().names()) expect_same(distance, "labels.csv", {});
 }
 
-TEST_F(EvaluateFiles, FeaturesGiveTheBytesOfTheirMatrixUnderEveryConvention) {
+TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheDistancesBetweenThemForEveryProtocolAndTieOrder) {
   for (const std::string& protocol : list_of_words<Protocol>()) {
     for (const std::string& ties : list_of_words<Ties>()) {
       for (const char* labels : {"labels.csv", "sets.csv"}) {
@@ -97,7 +97,7 @@ TEST_F(EvaluateFiles, FeaturesGiveTheBytesOfTheirMatrixUnderEveryConvention) {
   }
 }
 
-TEST_F(EvaluateFiles, FindsAnomaliesOfFeatureDistances) {
+TEST_F(EvaluateFiles, WarnsOfAnomaliesOfFeatureDistances) {
   const EvaluatedFiles evaluated =
       evaluate_files({.matrix = at("features.npy"), .labels = at("labels.csv"), .distance = "l2"}, {});
   const DistanceMatrix features = many_features(models);
@@ -112,7 +112,7 @@ TEST_F(EvaluateFiles, FindsAnomaliesOfFeatureDistances) {
   EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(repeats) + " rows repeat an earlier one")));
 }
 
-TEST_F(EvaluateFiles, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
+TEST_F(EvaluateFiles, WarnsOfFeaturesThatAreEqualInSinglePrecision) {
   DistanceMatrix features(models, 1);
   for (Eigen::Index row = 0; row < models; ++row) features(row, 0) = 1e9 + static_cast<double>(row) / models;
   write_npy(at("far.npy"), features);
@@ -133,7 +133,7 @@ TEST_F(EvaluateFiles, RejectsIdsOfRowsWithoutIdsOfColumns) {
   EXPECT_THAT(error, AllOf(HasSubstr("rows.txt"), HasSubstr("columns of "), HasSubstr("m.txt")));
 }
 
-TEST_F(EvaluateFiles, AFileWithoutIdsIsAnError) {
+TEST_F(EvaluateFiles, RejectsAnIdsFileWithoutIds) {
   test::write_text(at("none.txt"), "\n");
   const auto error = test::input_error_of([&] {
     (void)open_evaluation_files(
@@ -142,7 +142,7 @@ TEST_F(EvaluateFiles, AFileWithoutIdsIsAnError) {
   EXPECT_THAT(error, HasSubstr("none.txt has no ids"));
 }
 
-TEST_F(EvaluateFiles, GivenIdsMustMatchTheMatrix) {
+TEST_F(EvaluateFiles, RejectsIdsThatDoNotMatchTheMatrix) {
   test::write_text(at("m.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
   test::write_text(at("classes.csv"), "id,class\na,x\nb,x\nc,y\n");
   test::write_text(at("same.txt"), "a.off\nb\nc\n");
@@ -166,7 +166,7 @@ class MatrixWarnings : public test::FolderTest {
   }
 };
 
-TEST_F(MatrixWarnings, AreAbsentWithoutAnomalies) {
+TEST_F(MatrixWarnings, AreNotGivenWithoutAnomalies) {
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
 }
 
@@ -182,7 +182,7 @@ TEST_F(MatrixWarnings, IgnoreAsymmetryByRounding) {
               ElementsAre(HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(MatrixWarnings, StateTheAnomalyAndItsEffect) {
+TEST_F(MatrixWarnings, NameTheAnomalyAndItsEffectOnScores) {
   EXPECT_THAT(warnings_of("0 -1 2 inf\n1 0 4 5\n2 4.25 0.5 6\n3 5 6 0\n"),
               ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("1 distance is infinite"),
                           HasSubstr("not symmetric: 3 pairs of entries (i, j) and (j, i) differ, by up to 2;"),
@@ -197,7 +197,7 @@ TEST_F(MatrixWarnings, StateTheAnomalyAndItsEffect) {
               Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
 }
 
-TEST_F(MatrixWarnings, OmitSignsAndDiagonalOfSimilarities) {
+TEST_F(MatrixWarnings, IgnoreSignsAndDiagonalOfSimilarities) {
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
               Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
@@ -210,7 +210,7 @@ TEST_F(MatrixWarnings, ReportNearestModelsAtDistanceZero) {
 }
 
 // Twenty models of two classes, in which each is nearest to one of the other class.
-TEST(ChanceWarning, ReportsNearestNeighboursFarBelowChance) {
+TEST(ChanceWarning, WarnsIfNearestNeighbourIsFarBelowChance) {
   const test::TemporaryFolder folder;
   std::string labels = "id,class\n";
   std::string far;
@@ -251,7 +251,7 @@ TEST_F(EvaluateFiles, WarnsOfTrecRunsWhoseScoresAreDistances) {
   EXPECT_THAT(warnings_of("0 Q0 1 1 0.2 r\n0 Q0 2 2 0.1 r\n"), Not(Contains(HasSubstr("the scores rise"))));
 }
 
-TEST_F(EvaluateFiles, OnlyQueriesThatAreTakenForOtherModelsFindThemselves) {
+TEST_F(EvaluateFiles, WarnsIfQueriesFindThemselvesAmongOtherTargets) {
   test::write_text(at("q.csv"), "id,class\na,x\nb,x\n");
   test::write_text(at("t.csv"), "id,class\na,x\nb,x\nc,y\n");
   test::write_text(at("d.txt"), "0 1 2\n1 0 3\n");
@@ -262,7 +262,7 @@ TEST_F(EvaluateFiles, OnlyQueriesThatAreTakenForOtherModelsFindThemselves) {
   }
 }
 
-TEST_F(EvaluateFiles, SettingsOfMatricesAreErrorsWithRankedLists) {
+TEST_F(EvaluateFiles, RejectsMatrixSettingsForRankedLists) {
   using Change = void (*)(EvaluationFiles&);
   const std::vector<std::pair<const char*, Change>> changes{
       {"`similarity`", [](EvaluationFiles& files) { files.similarity = true; }},
@@ -284,7 +284,7 @@ TEST_F(EvaluateFiles, SettingsOfMatricesAreErrorsWithRankedLists) {
   }
 }
 
-TEST_F(EvaluateFiles, IdsMatchTheEndsOfPaths) {
+TEST_F(EvaluateFiles, MatchesIdsWithTheEndsOfPaths) {
   test::write_text(at("paths.csv"), "id,class\ncat/a,cat\ncat/b,cat\ndog/c,dog\n");
   test::write_text(at("names.csv"), "id,class\na.obj,cat\nb.obj,cat\nc.obj,dog\n");
   for (const auto& [ids, labels] : {std::pair{"a,b,c", "paths.csv"},

@@ -27,7 +27,7 @@ std::string tied_distances(int rows, int columns, int first, bool all_models) {
   return text;
 }
 
-class EvaluationPrograms : public testing::Test {
+class EvaluationProgramProtocols : public testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& text) const {
     return folder_.file(name, text);
@@ -57,7 +57,7 @@ class EvaluationPrograms : public testing::Test {
 
 constexpr double all_digits = 1e-14;
 
-TEST_F(EvaluationPrograms, PsbTable) {
+TEST_F(EvaluationProgramProtocols, ReproduceTheScoresOfTheProgramPsbTable) {
   // The class -1 has no queries, and neither has the class of two.
   const EvaluationFiles files{
       .matrix = file("all.txt", tied_distances(10, 10, 0, true)),
@@ -67,7 +67,7 @@ TEST_F(EvaluationPrograms, PsbTable) {
   expect_scores(found.macro, {0.250, 0.250, 0.500, 0.432, 0.560}, 5e-4);
 }
 
-TEST_F(EvaluationPrograms, Shrec21) {
+TEST_F(EvaluationProgramProtocols, ReproduceTheScoresOfTheShrec21Program) {
   const Evaluation found = evaluated(two_sets(), "shrec21");
   expect_scores(found.micro, {0.75, 0.6875, 0.91666666666666663, 0.65580357142857149, 0.80134762348651689}, all_digits);
   const std::vector<double>& curve = found.micro_curve.precision;
@@ -77,7 +77,7 @@ TEST_F(EvaluationPrograms, Shrec21) {
                 all_digits);
 }
 
-TEST_F(EvaluationPrograms, PytorchMetricLearning) {
+TEST_F(EvaluationProgramProtocols, ReproduceTheScoresOfPytorchMetricLearning) {
   expect_scores(evaluated(two_sets(), "pytorch_metric_learning").micro,
                 {0.75, 0.3958333333333333, 0.359375, 0.6558035714285715, 0.8125}, all_digits);
   // The only model of the class d is no query.
@@ -90,7 +90,7 @@ TEST_F(EvaluationPrograms, PytorchMetricLearning) {
 
 // q1 has ties, grades, a document that was not judged (-1) and one that is not in the judgements; q2 has ties; q3 has
 // no relevant document; q4 has no list; q5 has no judgements.
-TEST_F(EvaluationPrograms, TrecEval) {
+TEST_F(EvaluationProgramProtocols, ReproduceTheScoresOfTrecEval) {
   EvaluationFiles files{
       .matrix = file("t.run",
                      "q1 Q0 d1 1 9 r\nq1 Q0 d2 2 7 r\nq1 Q0 d3 3 7 r\nq1 Q0 d4 4 7 r\nq1 Q0 d5 5 6 r\nq1 Q0 d6 6 5 r\n"
@@ -110,7 +110,7 @@ TEST_F(EvaluationPrograms, TrecEval) {
 }
 
 // Lists have the query first, later or not at all; the model 7 is alone in its class.
-TEST_F(EvaluationPrograms, Shapenet16) {
+TEST_F(EvaluationProgramProtocols, ReproduceTheScoresOfTheShapenet16Program) {
   const EvaluationFiles files{
       .matrix = file("s.lists", "1 2 1 5 4\n2 2 1 6 3 7\n4 7 2 3\n5 1 6\n7 7 1\n"),
       .labels = file("s.csv", "id,class,subclass\n1,s,s\n2,s,s1\n3,s,s1\n4,s,s2\n5,t,t1\n6,t,t1\n7,u,u\n")};

@@ -34,7 +34,7 @@ double measure(const EvaluationData& input, const std::string& name, Protocol pr
   return evaluate(whole_matrix(input.distances), input.task.retrieval, options).micro[0];
 }
 
-TEST_F(EvaluationTaskTest, RowsAreInNaturalOrder) {
+TEST_F(EvaluationTaskTest, AssignsRowsToLabelsInNaturalOrder) {
   write_npy(at("d.npy"), DistanceMatrix::Ones(4, 4));
   const EvaluationData input = open_evaluation_files({.matrix = at("d.npy"), .labels = two_classes()});
   EXPECT_THAT(input.task.query_ids, ElementsAre("1", "2", "10", "11"));
@@ -66,7 +66,7 @@ TEST_F(EvaluationTaskTest, ComputesDistancesOfFeatures) {
       HasSubstr("g.csv: the distance emd is not defined for signature 0"));
 }
 
-TEST_F(EvaluationTaskTest, AcceptsQueriesByTargetsOrAllByAll) {
+TEST_F(EvaluationTaskTest, AcceptsMatricesOfQueriesByTargetsOrOfAllModels) {
   const auto labels = file("split.csv", "id,class,split\n1,ant,query\n2,ant,target\n3,bee,target\n4,bee,both\n");
   const EvaluationData small = open_evaluation_files({.matrix = file("d.txt", "1 2 3\n2 1 0\n"), .labels = labels});
   EXPECT_THAT(small.task.query_ids, ElementsAre("1", "4"));
@@ -83,7 +83,7 @@ TEST_F(EvaluationTaskTest, AcceptsQueriesByTargetsOrAllByAll) {
   EXPECT_TRUE(all.task.same_rows_and_columns);
 }
 
-TEST_F(EvaluationTaskTest, ATableNamesItsRowsAndColumns) {
+TEST_F(EvaluationTaskTest, MatchesRowsAndColumnsOfATableById) {
   const auto labels = file("split.csv", "id,class,split\n1,ant,query\n2,ant,target\n3,bee,target\n");
   const EvaluationData input =
       open_evaluation_files({.matrix = file("d.csv", "id,T3.off,T2\nT1,5,6\n"), .labels = labels});
@@ -92,7 +92,7 @@ TEST_F(EvaluationTaskTest, ATableNamesItsRowsAndColumns) {
 }
 
 // trec_eval's own conventions on a run of two queries, worked by hand: relevant a, c, x (never found) and b.
-TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
+TEST_F(EvaluationTaskTest, ScoresATrecRunByItsJudgements) {
   const auto run = file("r.run",
                         "q1 Q0 a 1 0.9 t\nq1 Q0 b 2 0.8 t\nq1 Q0 c 3 0.7 t\n"
                         "q2 Q0 a 1 0.5 t\nq2 Q0 b 2 0.5 t\nq3 Q0 a 1 1 t\n");
@@ -108,21 +108,22 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   EXPECT_DOUBLE_EQ(measure(input, "nDCG"), (1.5 / (2 + 1 / std::log2(3) + 0.5) + 1) / 2);
   // q1: of three models that are judged and not relevant b is before c, and x is never found; q2 has none such.
   EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 2.0 / 3 + 0) / 3.0 + 1) / 2);
-  EXPECT_THAT(input.task.warnings,
-              ElementsAre(HasSubstr("1 query has no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
-                          HasSubstr("the lists have 2 to 3 of 6 models"), HasSubstr("grades above 1")));
+  EXPECT_THAT(
+      input.task.warnings,
+      ElementsAre(HasSubstr("1 query has no judgements"), HasSubstr("1 of 3 judged queries have no ranked list"),
+                  HasSubstr("the lists have 2 to 3 of 6 models"), HasSubstr("grades above 1")));
   const EvaluationFiles other_ids{.matrix = run, .qrels = file("other.txt", "Q1 0 a 1\n")};
   EXPECT_THAT(test::input_error_of([&] { open_evaluation_files(other_ids); }),
               HasSubstr("none of the queries is judged"));
 }
 
-TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
+TEST_F(EvaluationTaskTest, ScoresRankedListsByClasses) {
   const EvaluationData input =
       open_evaluation_files({.matrix = file("r.lists", "1 1 2 10\n10 2 11\n11 1\n"), .labels = two_classes()});
   // The query itself is skipped in its list; 11 finds no relevant model.
   EXPECT_DOUBLE_EQ(measure(input, "MRR"), (1 + 0.5 + 0) / 3);
-  EXPECT_THAT(input.task.warnings,
-              ElementsAre(HasSubstr("1 of 4 queries have no answer"), HasSubstr("the lists have 1 to 2 of 4 models")));
+  EXPECT_THAT(input.task.warnings, ElementsAre(HasSubstr("1 of 4 queries have no ranked list"),
+                                               HasSubstr("the lists have 1 to 2 of 4 models")));
   const ListCoverage& coverage = input.task.coverage.value();
   EXPECT_EQ(coverage.queries, 4U);
   EXPECT_EQ(coverage.answered, 3U);
@@ -135,7 +136,7 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
   EXPECT_EQ(measure(open_evaluation_files({.matrix = tied, .labels = two_classes()}), "MRR"), 1) << "2 > 10 as text";
 }
 
-TEST_F(EvaluationTaskTest, SubclassesGradeRankedListsAndMatrices) {
+TEST_F(EvaluationTaskTest, GradesRankedListsAndMatricesBySubclasses) {
   const auto labels =
       file("sub.csv", "id,class,subclass\n1,ant,red\n2,ant,ant\n3,ant,red\n4,ant,blue\n5,bee,\n6,bee,\n");
   // For 1: itself 3, then 2 (of the class as such), 5 (a miss), 4 (another subclass); 3 would have gained 3.
@@ -153,7 +154,7 @@ TEST_F(EvaluationTaskTest, SubclassesGradeRankedListsAndMatrices) {
   EXPECT_DOUBLE_EQ(measure(matrix, "nDCG@N", Protocol::paper), all_found / ideal);
 }
 
-TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
+TEST_F(EvaluationTaskTest, RejectsAMatrixWithoutIdsForJudgements) {
   const auto qrels = file("j.txt", "2 0 10 1\n");
   const auto matrix = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = matrix, .qrels = qrels}); }),
@@ -167,7 +168,7 @@ TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
               HasSubstr("\"11\" is judged but is not in the matrix"));
 }
 
-TEST_F(EvaluationTaskTest, IdsThatDifferInTheExtensionMatchExactly) {
+TEST_F(EvaluationTaskTest, MatchesIdsThatDifferOnlyInTheExtensionExactly) {
   const auto labels = file("pairs.csv", "id,class\nm0.off,x\nm0.obj,y\nm1.off,y\nm2,x\n");
   const auto matrix =
       file("d.csv", "id,m0.obj,m0.off,m1.obj,m2\nm0.obj,0,1,2,3\nm0.off,1,0,2,3\nm1.obj,2,2,0,3\nm2,3,3,3,0\n");
@@ -183,7 +184,7 @@ TEST_F(EvaluationTaskTest, IdsThatDifferInTheExtensionMatchExactly) {
               ElementsAre(testing::IsEmpty(), ElementsAre(0), testing::IsEmpty(), testing::IsEmpty()));
 }
 
-TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
+TEST_F(EvaluationTaskTest, ReportsMismatchedIdsAsOneError) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   const auto error = [&](const EvaluationFiles& files) {
@@ -195,7 +196,7 @@ TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
   const auto ids = file("ids.txt", "1\n2\n3\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");
-  EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = twice}), HasSubstr("model \"T2\" occurs twice"));
+  EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = twice}), HasSubstr("model \"T2\" is repeated"));
   for (const char* first : {"x", "0%"}) {
     const std::string text = std::string(first) + ",0.5,0.7,0.9\n0.5,0,1,1\n0.7,1,0,1\n0.9,1,1,0\n";
     for (const auto& of_four : {labels, file("classes.txt", "x\nx\ny\ny\n")}) {
@@ -205,16 +206,16 @@ TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
   }
   const auto few = file("few.txt", "1\n2\n10\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = few}),
-              HasSubstr("model \"11\" is classified but is none of"));
+              HasSubstr("model \"11\" has a class but is not among"));
   EXPECT_THAT(error({.matrix = file("r.run", "1 Q0 77 1 1 t\n"), .labels = labels}),
               HasSubstr("model \"77\" is in no class"));
   EXPECT_THAT(error({.matrix = file("r.lists", "1 2 10 T2\n"), .labels = labels}),
-              HasSubstr("the answer to \"1\" has a model twice, once as \"T2\""));
+              HasSubstr("query \"1\" has the model \"T2\" more than once"));
 }
 
 // In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
 // other.
-TEST_F(EvaluationTaskTest, RowsWithoutIdsAreInTheOrderOfTheLabels) {
+TEST_F(EvaluationTaskTest, AssignsRowsWithoutIdsInTheOrderOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
@@ -228,7 +229,7 @@ TEST_F(EvaluationTaskTest, RowsWithoutIdsAreInTheOrderOfTheLabels) {
   EXPECT_THAT(natural.task.warnings, testing::IsEmpty());
 }
 
-TEST_F(EvaluationTaskTest, RowsOfAMatrixAreInNaturalOrderOfAClassification) {
+TEST_F(EvaluationTaskTest, AssignsRowsInNaturalOrderOfAClassification) {
   const auto labels = file("labels.cla", "PSB 1\n2 3\nant 0 2\n10 2\nbee 0 1\n1\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 5\n5 5 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
@@ -244,7 +245,7 @@ TEST_F(EvaluationTaskTest, RowsOfAMatrixAreInNaturalOrderOfAClassification) {
   EXPECT_THAT(open_evaluation_files({.matrix = named, .labels = labels}).task.warnings, testing::IsEmpty());
 }
 
-TEST_F(EvaluationTaskTest, ASplitMatrixOfAllModelsFollowsTheListToo) {
+TEST_F(EvaluationTaskTest, AssignsRowsOfASplitMatrixInTheOrderOfLabels) {
   const auto labels = file("split.csv", "id,class,split\n3,bee,query\n1,ant,target\n2,bee,target\n4,ant,query\n");
   write_npy(at("all.npy"), DistanceMatrix::Ones(4, 4));
   const EvaluationData all = open_evaluation_files({.matrix = at("all.npy"), .labels = labels});
@@ -252,7 +253,7 @@ TEST_F(EvaluationTaskTest, ASplitMatrixOfAllModelsFollowsTheListToo) {
   EXPECT_THAT(all.task.retrieval.query_classes, ElementsAre(0, no_class, no_class, 1));
 }
 
-TEST_F(EvaluationTaskTest, LabelsWithoutIdsAreInTheOrderOfTheRows) {
+TEST_F(EvaluationTaskTest, AssignsLabelsWithoutIdsInTheOrderOfRows) {
   const auto labels = file("labels.txt", "bee\nant\nbee\nant\n");
   const auto matrix = file("d.txt", "0 5 1 4\n5 0 4 1\n1 4 0 5\n4 1 5 0\n");
   const EvaluationData input = open_evaluation_files({.matrix = matrix, .labels = labels});
@@ -271,7 +272,7 @@ TEST_F(EvaluationTaskTest, LabelsWithoutIdsAreInTheOrderOfTheRows) {
 
 // The documented behaviour of trec_eval's options, on one run: q1 and q2 are answered, q3 is judged only. -c divides by
 // all three. Its -q is per_query here.
-TEST_F(EvaluationTaskTest, CountsAllJudgedQueriesOnRequest) {
+TEST_F(EvaluationTaskTest, CountsJudgedQueriesWithoutAnswersOnRequest) {
   const auto run = file("r.txt", "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\nq2 Q0 b 1 1 mine\n");
   const auto qrels = file("j.qrels", "q1 0 b 1\nq1 0 a 0\nq2 0 b 3\nq2 0 c 1\nq3 0 a 1\nq3 0 b 0\n");
   const EvaluationData answered = open_evaluation_files({.matrix = run, .qrels = qrels});
@@ -289,11 +290,11 @@ TEST_F(EvaluationTaskTest, CountsAllJudgedQueriesOnRequest) {
   // bpref: in q1 one judged model that is not relevant is before b; q2 and q3 find one of two, and none of one.
   EXPECT_DOUBLE_EQ(measure(all, "bpref"), (0 + 0.5 + 0) / 3);
   EXPECT_THAT(all.task.warnings,
-              testing::Contains(HasSubstr("1 of 3 judged queries have no answer: their scores are 0")));
+              testing::Contains(HasSubstr("1 of 3 judged queries have no ranked list: their scores are 0")));
 }
 
 // One of six queries has an answer, which is perfect.
-TEST_F(EvaluationTaskTest, MissingQueriesScoreZeroUnderEveryProtocolAndMeasure) {
+TEST_F(EvaluationTaskTest, ScoresMissingQueriesAsZeroUnderEveryProtocolAndMeasure) {
   const auto labels = file("six.csv", "id,class\na1,a\na2,a\na3,a\nb1,b\nb2,b\nb3,b\n");
   const auto lists = file("one.lists", "a1 a2 a3\n");
   const EvaluationData input =
@@ -308,7 +309,7 @@ TEST_F(EvaluationTaskTest, MissingQueriesScoreZeroUnderEveryProtocolAndMeasure) 
 }
 
 // Ids of the two files are names of two sets: the nearest target of query i is target i, which is another model.
-TEST_F(EvaluationTaskTest, TwoFilesOfLabelsAreTwoSetsOfModels) {
+TEST_F(EvaluationTaskTest, TreatsTwoLabelFilesAsSeparateSetsUnlessIdsAreShared) {
   const auto queries = file("q.cla", "PSB 1\n3 3\n\na 0 1\n0\n\nb 0 1\n1\n\nc 0 1\n2\n");
   const auto targets = file("t.cla", "PSB 1\n3 5\n\na 0 2\n0\n3\n\nb 0 2\n1\n4\n\nc 0 1\n2\n");
   const auto matrix = file("d.txt", "0.1 2 2 2 2\n2 0.1 2 2 2\n2 2 0.1 2 2\n");
@@ -326,7 +327,7 @@ TEST_F(EvaluationTaskTest, TwoFilesOfLabelsAreTwoSetsOfModels) {
   EXPECT_THAT(shared.task.warnings, testing::Each(testing::Not(HasSubstr("in both"))));
 }
 
-TEST_F(EvaluationTaskTest, ThePublicPartOfAllModelsNeedsSharedIds) {
+TEST_F(EvaluationTaskTest, AcceptsASubsetOfQueriesOnlyWithSharedIds) {
   const auto all = file("all.csv", "id,class\n1,a\n2,b\n3,a\n4,b\n");
   const auto part = file("public.csv", "id,class\n4,b\n3,a\n");
   const auto matrix = file("d.txt", "0 9 1 9\n9 0 9 1\n1 9 0 9\n9 1 9 0\n");

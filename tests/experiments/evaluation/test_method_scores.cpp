@@ -16,7 +16,7 @@ const std::string table =
     "method,protocol,id,class,NN,FT\n"
     "a,psb,1,ant,100.0000,50.0000\na,psb,2,ant,0,25\nb,psb,2,ant,100,75\nb,psb,1,ant,0,100\n";
 
-class MethodScoresTest : public test::FolderTest {
+class MethodScoreTables : public test::FolderTest {
  protected:
   std::vector<MethodScores> read(const std::string& text, const std::string& name = "per_query.csv") {
     test::write_text(at(name), text);
@@ -27,7 +27,7 @@ class MethodScoresTest : public test::FolderTest {
   }
 };
 
-TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {
+TEST_F(MethodScoreTables, AreSplitByMethodAndAlignedByQuery) {
   const std::vector<MethodScores> methods = read(table);
   ASSERT_EQ(methods.size(), 2U);
   EXPECT_EQ(methods[0].values(1, 1), 0.25);
@@ -40,14 +40,14 @@ TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {
   EXPECT_THAT(align_methods(methods, std::vector<std::string>{"FT"}).measures, ElementsAre("FT"));
 }
 
-TEST_F(MethodScoresTest, EqualNamesAreExtendedByTheFile) {
+TEST_F(MethodScoreTables, PrefixEqualMethodNamesWithTheFileName) {
   std::vector<MethodScores> methods = read(table, "one/per_query.csv");
   const std::vector<MethodScores> more = read(table, "two.csv");
   methods.insert(methods.end(), more.begin(), more.end());
   EXPECT_THAT(align_methods(methods, {}).methods, ElementsAre("one: a", "one: b", "two: a", "two: b"));
 }
 
-TEST_F(MethodScoresTest, IncomparableScoresAreOneError) {
+TEST_F(MethodScoreTables, RejectIncomparableScoresWithOneError) {
   const auto align_error = [&](const std::string& more, const std::vector<std::string>& measures = {}) {
     std::vector<MethodScores> methods = read(table);
     const std::vector<MethodScores> others = read(more, "other.csv");
@@ -67,7 +67,7 @@ TEST_F(MethodScoresTest, IncomparableScoresAreOneError) {
               HasSubstr("no measure in common"));
 }
 
-TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
+TEST_F(MethodScoreTables, RejectInvalidRowsWithTheirLine) {
   EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected a table of scores by query"));
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"),
               HasSubstr("per_query.csv:2: expected 5 cells as in the first row, found 4"));
@@ -103,7 +103,7 @@ TEST(MethodNames, AreTheShortestUniqueNames) {
   EXPECT_THAT(names_of({"a/d.npy", "./a/d.npy"}), ElementsAre("d", "d (2)"));
 }
 
-TEST(MethodNames, AreThoseRequested) {
+TEST(MethodNames, AreTheRequestedUniqueNames) {
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}, {"ours", "theirs"}), ElementsAre("ours", "theirs"));
   EXPECT_THAT(test::input_error_of([] {
                 names_of({"d.npy", "x/d.npy"}, {"ours"});

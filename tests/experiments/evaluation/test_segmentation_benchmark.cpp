@@ -31,7 +31,7 @@ class SegmentationBenchmarkFolder : public test::FolderTest {
   }
 };
 
-TEST_F(SegmentationBenchmarkFolder, IsFoundInNaturalOrderWithItsClasses) {
+TEST_F(SegmentationBenchmarkFolder, ListsItsModelsInNaturalOrderWithClasses) {
   for (const char* id : {"101", "20", "21", "400", "401", "mine"}) add(id, 2);
   add("3", 0);
   const SegmentationBenchmark found = find_segmentation_benchmark(folder_.path());
@@ -47,7 +47,7 @@ TEST_F(SegmentationBenchmarkFolder, IsFoundInNaturalOrderWithItsClasses) {
   EXPECT_EQ(found.without_people, (std::vector<std::string>{"3"}));
 }
 
-TEST_F(SegmentationBenchmarkFolder, WithoutPeopleIsRefused) {
+TEST_F(SegmentationBenchmarkFolder, IsRejectedWithoutHumanSegmentations) {
   EXPECT_THROW(find_segmentation_benchmark(folder_.path()), InputError);
   add("3", 0);
   EXPECT_THROW(find_segmentation_benchmark(folder_.path()), InputError);
@@ -61,7 +61,7 @@ Labels halves(const Shape& shape, double place) {
   return labels;
 }
 
-TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
+TEST(SegmentationScorer, MeasuresCutDiscrepancyInMeanRadii) {
   // Cuts of a unit sphere at two heights: about as far apart as the arc between them, both ways.
   const Shape sphere = test::sphere(1, 5);
   const SegmentationScorer scorer(sphere, {});
@@ -74,7 +74,7 @@ TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
       SegmentationScorer(sphere, {.cuts = false}).errors(halves(sphere, 0), halves(sphere, 0.5)).cut_discrepancy));
 }
 
-TEST(SegmentationScorer, WeighsByAreaIfWanted) {
+TEST(SegmentationScorer, WeighsFacesByAreaOnRequest) {
   // A box with few large triangles at one end and many small ones at the other.
   const Shape shape = test::joined(
       {test::box({1, 1, 1}, 1), test::transformed(test::box({1, 1, 1}, 6), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
@@ -89,16 +89,16 @@ TEST(SegmentationScorer, WeighsByAreaIfWanted) {
               72 / (144 - squares), 1e-9);
 }
 
-TEST(SegmentationScorer, MeansOverPeopleLeaveOutWhatIsNotDefined) {
+TEST(SegmentationScorer, ExcludesUndefinedErrorsFromMeansOverHumanSegmentations) {
   const Shape sphere = test::sphere(1, 2);
   const SegmentationScorer scorer(sphere, {});
   const Labels cut = halves(sphere, 0);
   const Labels none(cut.size(), 0);
-  const SegmentationErrors errors = scorer.errors_against(cut, {cut, none});
+  const SegmentationErrors errors = scorer.mean_errors_against(cut, {cut, none});
   EXPECT_EQ(errors.cut_discrepancy, 0);
   EXPECT_DOUBLE_EQ(errors.rand_index, scorer.errors(cut, none).rand_index / 2);
-  EXPECT_DOUBLE_EQ(scorer.errors_among({cut, none, cut}).rand_index, scorer.errors(cut, none).rand_index * 2 / 3);
-  EXPECT_TRUE(std::isnan(scorer.errors_among({cut}).rand_index));
+  EXPECT_DOUBLE_EQ(scorer.mean_errors_among({cut, none, cut}).rand_index, scorer.errors(cut, none).rand_index * 2 / 3);
+  EXPECT_TRUE(std::isnan(scorer.mean_errors_among({cut}).rand_index));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ SegmentationScores small_scores() {
                      {errors(0.2, 1), errors(0.5, 0.5), errors(0.2, 0.25), errors(0.5, 0.25)}}};
 }
 
-TEST(SegmentationTables, MeansAreOverTheDefinedValuesOfAClassOrAll) {
+TEST(SegmentationTables, AverageTheDefinedErrorsOfAClassOrOfAllShapes) {
   const SegmentationScores scores = small_scores();
   EXPECT_DOUBLE_EQ(scores.mean(0, &SegmentationErrors::rand_index), 1.3 / 4);
   EXPECT_DOUBLE_EQ(scores.mean(0, &SegmentationErrors::rand_index, 0), 1.05 / 3);
@@ -60,7 +60,7 @@ std::size_t column_of(const TextTable& table, double SegmentationErrors::*value)
   return table.header.size();
 }
 
-TEST(SegmentationTables, HaveTheMeansByMethodAndClass) {
+TEST(SegmentationTables, ContainTheMeansOfEachMethodAndClass) {
   const SegmentationScores scores = small_scores();
   const TextTable means = mean_table(scores);
   ASSERT_EQ(means.rows.size(), 2U);
@@ -87,7 +87,7 @@ TEST(SegmentationTables, HaveTheMeansByMethodAndClass) {
   }
 }
 
-TEST(SegmentationTables, ComparisonIsOfTheMeansOfClasses) {
+TEST(SegmentationTables, CompareMethodsByTheMeansOfClasses) {
   SegmentationScores scores = small_scores();
   const std::optional<MethodComparison> comparison = rand_comparison(scores);
   ASSERT_TRUE(comparison);
@@ -107,7 +107,7 @@ TEST(SegmentationTables, ComparisonIsOfTheMeansOfClasses) {
   EXPECT_EQ(pair_table(scores, *comparison).rows[0].back(), "0 of 3") << "nobody wins the ants";
 }
 
-TEST(SegmentationTables, NoComparisonWhereItMeansNothing) {
+TEST(SegmentationTables, OmitTheComparisonForUndefinedErrorsOrOneClass) {
   SegmentationScores scores = small_scores();
   scores.errors[1][2].rand_index = std::nan("");
   EXPECT_FALSE(rand_comparison(scores)) << "an undefined error";
@@ -122,7 +122,7 @@ TEST(SegmentationTables, NoComparisonWhereItMeansNothing) {
 }
 
 /// A benchmark of three meshes with segmentations at random by two or three people, and two methods.
-class ScoredFolder : public test::FolderTest {
+class SegmentationScoresOfAFolder : public test::FolderTest {
  protected:
   void SetUp() override {
     RandomNumbers random(1);
@@ -156,7 +156,7 @@ class ScoredFolder : public test::FolderTest {
   std::array<std::vector<std::int32_t>, 3> mine_, theirs_;
 };
 
-TEST_F(ScoredFolder, HasTheMeanErrorsAgainstAndAmongPeople) {
+TEST_F(SegmentationScoresOfAFolder, AreMeanErrorsAgainstAndAmongHumanSegmentations) {
   const SegmentationScores found = scores();
   EXPECT_EQ(found.methods, (std::vector<std::string>{"mine", "theirs", people_name}));
   EXPECT_EQ(found.ids, (std::vector<std::string>{"1", "21", "41"}));
@@ -186,7 +186,7 @@ TEST_F(ScoredFolder, HasTheMeanErrorsAgainstAndAmongPeople) {
   }
 }
 
-TEST_F(ScoredFolder, TheFirstUnusableSegmentationIsTheError) {
+TEST_F(SegmentationScoresOfAFolder, ReportTheFirstInvalidSegmentation) {
   test::write_text(at("mine/41.seg"), "x\n");
   std::filesystem::remove(at("theirs/21.seg"));
   EXPECT_NE(test::input_error_of([&] { static_cast<void>(scores()); }).find("21.seg"), std::string::npos);

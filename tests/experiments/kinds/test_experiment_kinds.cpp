@@ -74,7 +74,7 @@ class ExperimentKinds : public test::FolderTest {
   }
 };
 
-TEST_F(ExperimentKinds, AreRecognisedByTheirKeys) {
+TEST_F(ExperimentKinds, AreRecognisedByTheKeysOfADocument) {
   EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
   EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration()["shapes"].size(), 4U);
@@ -86,7 +86,7 @@ TEST_F(ExperimentKinds, AreRecognisedByTheirKeys) {
               HasSubstr("test.json: unknown key \"nmae\""));
 }
 
-TEST_F(ExperimentKinds, ADocumentWithTheKeysOfSeveralKindsIsAnError) {
+TEST_F(ExperimentKinds, RejectADocumentWithTheKeysOfSeveralKinds) {
   const auto error_with = [&](Json document, const std::string& key, const Json& value) {
     document[key] = value;
     return test::input_error_of([&] { read_experiment(document, "test.json", at("")); });
@@ -100,7 +100,7 @@ TEST_F(ExperimentKinds, ADocumentWithTheKeysOfSeveralKindsIsAnError) {
               HasSubstr("retrieval (\"dataset\", \"signatures\")"));
 }
 
-TEST_F(ExperimentKinds, DoNotReadDocumentsOfEachOther) {
+TEST_F(ExperimentKinds, RejectDocumentsOfAnotherKindOfExperiment) {
   const std::map<std::string, Json> documents{{"retrieval", retrieval()},
                                               {"comparison", comparison()},
                                               {"segmentation", segmentation()},
@@ -115,7 +115,7 @@ TEST_F(ExperimentKinds, DoNotReadDocumentsOfEachOther) {
   }
 }
 
-TEST_F(ExperimentKinds, ResolveFilesOfDataSets) {
+TEST_F(ExperimentKinds, ReplaceDatasetFilesByTheirContents) {
   test::write_text(at("set.json"), R"({"layout": "shrec11", "root": "data"})");
   Json document = retrieval();
   document["dataset"] = "set.json";
@@ -127,7 +127,7 @@ TEST_F(ExperimentKinds, ResolveFilesOfDataSets) {
   EXPECT_EQ(datasets[0]["name"], "set");
 }
 
-TEST_F(ExperimentKinds, HaveSchemaDefinitions) {
+TEST_F(ExperimentKinds, AreDefinedInTheSchema) {
   const Json schema = Json::parse(experiment_schema());
   const Json* part = &schema;
   for (const auto& [key, definition] : {std::pair{"shapes", "/definitions/comparison_experiment"},
@@ -179,7 +179,7 @@ TEST_F(ExperimentKinds, DoNotOverwriteInputsThatHaveTheNameOfAnyResult) {
   EXPECT_FALSE(fs::exists(at("cut/parts/best")));
 }
 
-TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
+TEST_F(ExperimentKinds, GiveTheSameResultsInPartsAsInOneRun) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},
                                        {"segmentation", segmentation()},
@@ -212,13 +212,14 @@ TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
   }
 }
 
-TEST_F(ExperimentKinds, PartsNeedACacheAndSupport) {
+TEST_F(ExperimentKinds, RunPartsOnlyWithACacheAndIfSupported) {
   Cache none;
   const Experiment experiment = read_experiment(retrieval(), "test.json", at(""));
   EXPECT_THAT(test::input_error_of([&] { (void)run_part(experiment, {}, at("out"), {}, none); }), HasSubstr("cache"));
   Cache cache(at("cache"));
   const Experiment whole{.name = "whole", .configuration = {}, .run = experiment.run};
-  EXPECT_THAT(test::input_error_of([&] { (void)run_part(whole, {}, at("out"), {}, cache); }), HasSubstr("no parts"));
+  EXPECT_THAT(test::input_error_of([&] { (void)run_part(whole, {}, at("out"), {}, cache); }),
+              HasSubstr("cannot be divided into parts"));
 }
 
 TEST_F(ExperimentKinds, ContinueFromTheCacheAfterAnInterruption) {
@@ -247,7 +248,7 @@ TEST_F(ExperimentKinds, ContinueFromTheCacheAfterAnInterruption) {
   }
 }
 
-TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
+TEST_F(ExperimentKinds, KeepTheGeneratedShapesOfASegmentation) {
   Cache none;
   (void)run(segmentation(), "parts", none);
   int generated = 0;
@@ -318,7 +319,7 @@ TEST_F(ExperimentKinds, CanBeAddedByUsers) {
   EXPECT_EQ(Json::parse(experiment_schema())["else"]["else"]["else"]["then"], Json(count_schema()));
 }
 
-TEST_F(ExperimentKinds, NeedKeysPatternsOfPathsAndNoDefinitions) {
+TEST_F(ExperimentKinds, RejectRegistrationsWithoutKeysOrFunctions) {
   ExperimentKind kind{.name = "other", .description = "", .schema = count_schema, .read = read_count};
   EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("\"other\" needs keys"));
   kind.keys = {"other"};
@@ -329,7 +330,7 @@ TEST_F(ExperimentKinds, NeedKeysPatternsOfPathsAndNoDefinitions) {
   kind.paths.files = {"other"};
   EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("must begin with a slash"));
   kind.schema = nullptr;
-  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("lacks a function"));
+  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("lacks a mandatory function"));
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Data sets "s", "t" and "u", each with the methods "good" and "poor".
-class SubmittedDatasets : public test::FolderTest {
+class DatasetLeaderboardFolders : public test::FolderTest {
  protected:
-  SubmittedDatasets() {
+  DatasetLeaderboardFolders() {
     for (const char* name : {"s", "t", "u"}) {
       add(fmt::format("{}/labels.csv", name), small_labels());
       add(fmt::format("{}/good.csv", name), small_matrix(0));
@@ -37,14 +37,14 @@ class SubmittedDatasets : public test::FolderTest {
   }
   [[nodiscard]] DatasetLeaderboards judged() const {
     Cache none;
-    return judge_datasets(find_submitted_datasets(all(), {}), options(), none);
+    return evaluate_datasets(find_submitted_datasets(all(), {}), options(), none);
   }
   [[nodiscard]] std::string refusal(const std::vector<fs::path>& folders) const {
     return test::input_error_of([&] { find_submitted_datasets(folders, {}); });
   }
 };
 
-TEST_F(SubmittedDatasets, HaveTheirLabelsInTheirFolders) {
+TEST_F(DatasetLeaderboardFolders, HaveTheirLabelsInEachFolder) {
   add("t/targets.csv", small_labels());
   add("t/ids.txt", "m0\n");
   const std::vector<SubmittedDataset> found =
@@ -59,7 +59,7 @@ TEST_F(SubmittedDatasets, HaveTheirLabelsInTheirFolders) {
   EXPECT_EQ(found[1].files.ids.filename(), "ids.txt");
 }
 
-TEST_F(SubmittedDatasets, AreRefusedWithTheReason) {
+TEST_F(DatasetLeaderboardFolders, AreRejectedWithMissingOrAmbiguousLabelsAndDuplicateNames) {
   add("bare/good.csv", small_matrix(0));
   add("twice/labels.csv", small_labels());
   add("twice/labels.cla", "PSB 1\n0 0\n");
@@ -73,7 +73,7 @@ TEST_F(SubmittedDatasets, AreRefusedWithTheReason) {
   EXPECT_THAT(refusal({at("s"), at("deep/s")}), AllOf(HasSubstr("two data sets"), HasSubstr("\"s\"")));
 }
 
-TEST_F(SubmittedDatasets, AreComparedByRanks) {
+TEST_F(DatasetLeaderboardFolders, AreComparedByMeanRanks) {
   const DatasetLeaderboards all = judged();
   EXPECT_THAT(all.results.methods, ElementsAre("good", "poor"));
   const MultiDatasetTable& table = main_table(all.results);
@@ -87,7 +87,7 @@ TEST_F(SubmittedDatasets, AreComparedByRanks) {
   EXPECT_TRUE(all.refused.empty());
 }
 
-TEST_F(SubmittedDatasets, ExcludeMethodsMissingInOneDataSet) {
+TEST_F(DatasetLeaderboardFolders, ExcludeMethodsMissingInOneDataSet) {
   add("s/more.csv", small_matrix(1));
   add("u/more.csv", small_matrix(1));
   add("t/poor.csv", "0,1\n1,0\n");
@@ -102,7 +102,7 @@ TEST_F(SubmittedDatasets, ExcludeMethodsMissingInOneDataSet) {
   EXPECT_EQ(json["refused"].dump().find(at("s").string()), std::string::npos);
 }
 
-TEST_F(SubmittedDatasets, NeedAMethodInCommon) {
+TEST_F(DatasetLeaderboardFolders, AreRejectedWithoutACommonMethod) {
   fs::remove(at("t/good.csv"));
   fs::remove(at("u/poor.csv"));
   EXPECT_THAT(test::input_error_of([&] { (void)judged(); }), HasSubstr("no method"));
@@ -110,7 +110,7 @@ TEST_F(SubmittedDatasets, NeedAMethodInCommon) {
   EXPECT_THAT(test::input_error_of([&] { (void)judged(); }), HasSubstr("data set u"));
 }
 
-TEST_F(SubmittedDatasets, ShowTheDeviationOfRepetitions) {
+TEST_F(DatasetLeaderboardFolders, ShowTheStandardDeviationOfRepetitions) {
   for (const char* name : {"s", "t", "u"}) {
     for (int seed = 1; seed <= 2; ++seed) {
       add(fmt::format("{}/fair.seed{}.csv", name, seed), small_matrix(1 + 0.5 * seed));
@@ -138,7 +138,7 @@ TEST_F(SubmittedDatasets, ShowTheDeviationOfRepetitions) {
   EXPECT_EQ(json["methods"][1]["rank_interval"][0], 2);
 }
 
-TEST_F(SubmittedDatasets, HaveASiteWithLinksToTheirSites) {
+TEST_F(DatasetLeaderboardFolders, HaveASiteWithLinksToEachDataSet) {
   const fs::path site = at("site");
   const DatasetLeaderboards all = judged();
   EXPECT_EQ(write_dataset_site(site, "Contest", all, options()).written, 6U);

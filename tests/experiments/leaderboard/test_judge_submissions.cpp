@@ -19,7 +19,7 @@ using testing::Not;
 
 std::vector<std::string> names_of(const Leaderboard& board) {
   std::vector<std::string> names;
-  for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
+  for (const EvaluatedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
   return names;
 }
 
@@ -35,7 +35,7 @@ class JudgeSubmissions : public test::FolderTest {
   const SmallBoard small;
 };
 
-TEST_F(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
+TEST_F(JudgeSubmissions, ScoresMatchTheEvaluationOfEachFile) {
   const Leaderboard board = small.judged();
   EXPECT_THAT(names_of(board), ElementsAre("good", "poor"));
   EvaluationFiles files = small.options().files;
@@ -49,7 +49,7 @@ TEST_F(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
   EXPECT_TRUE(board.refused.empty());
 }
 
-TEST_F(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
+TEST_F(JudgeSubmissions, ReadsSimilaritiesIfTheDescriptionDeclaresThem) {
   small.add("alike.csv", small_matrix(0, -1));
   small.add("alike.json", R"({"name": "Alike", "similarity": true})");
   const Leaderboard board = small.judged();
@@ -58,7 +58,7 @@ TEST_F(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
+TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesWithoutADescription) {
   small.add("alike.csv", small_matrix(0, -1));
   EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
   small.add("alike.json", R"({"similarity": false})");
@@ -67,7 +67,7 @@ TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
   EXPECT_THAT(board.submissions[2].warnings, testing::Not(testing::IsEmpty()));
 }
 
-TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
+TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesOtherSubmissions) {
   std::string with_nan = small_matrix(0);
   with_nan.replace(with_nan.find(",2,"), 3, ",nan,");
   for (const auto& [name, text, word] : {std::tuple("nan.csv", with_nan, "row 0"),
@@ -80,7 +80,7 @@ TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
   }
 }
 
-TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
+TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnListDepth) {
   std::string lists;  // three queries, each with the three others of its class
   for (const int query : {0, 1, 2}) {
     lists += fmt::format("m{}", query);
@@ -130,7 +130,7 @@ TEST_F(JudgeSubmissions, RanksOneSubmissionAlone) {
   EXPECT_TRUE(board.micro[0][0].interval);
 }
 
-TEST_F(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
+TEST_F(JudgeSubmissions, FailsIfNoSubmissionIsValid) {
   small.add("good.csv", "0,1\n1,0\n");
   small.add("poor.csv", "0,1\n1,0\n");
   EXPECT_THAT(test::input_error_of([&] { std::ignore = small.judged(); }),
@@ -273,7 +273,7 @@ TEST_F(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
 }
 
 // Seven of eighteen queries are found by both, each other ones: equal scores, whatever the rounding of their sums.
-TEST_F(JudgeSubmissions, EqualScoresHaveOneRank) {
+TEST_F(JudgeSubmissions, GivesEqualScoresTheSameRank) {
   std::string labels = "id,class\n";
   for (int i = 0; i < 18; ++i) labels += fmt::format("{},{}\n", i, i / 6);
   JudgingOptions options;

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(LeaderboardTables, FilesHaveBothAveragesWithIntervalsAndGroups) {
+TEST(LeaderboardTables, ContainMicroAndMacroAveragesWithIntervalsAndGroups) {
   const test_board::SmallBoard small;
   const Leaderboard board = small.judged();
   const TextTable table = leaderboard_csv_table(board);
@@ -24,7 +24,7 @@ TEST(LeaderboardTables, FilesHaveBothAveragesWithIntervalsAndGroups) {
   EXPECT_EQ(table.rows[2][9], board.micro[0][1].letters);
 }
 
-TEST(LeaderboardTables, JsonHasFractionsSettingsAndRejections) {
+TEST(LeaderboardTables, ContainFractionsSettingsAndRejectionsInJson) {
   const test_board::SmallBoard small;
   small.add("bad.csv", "0,1\n1,0\n");
   small.add("good.json", R"({"authors": "A"})");
@@ -52,7 +52,7 @@ TEST(LeaderboardTables, WarnThatThreeClassesCannotSeparateTwoMethods) {
   EXPECT_EQ(board.micro[1][1].letters, "b");
   EXPECT_EQ(board.macro[1][1].letters, "A");
   EXPECT_THAT(few_classes_warning(board, options), testing::Optional(HasSubstr("3 classes")));
-  EXPECT_THAT(significance_words(board, options), HasSubstr("below 0.25"));
+  EXPECT_THAT(explain_significance(board, options), HasSubstr("below 0.25"));
   // Three methods can: 6^-2 is below 5 %.
   board.submissions.push_back(board.submissions.front());
   EXPECT_FALSE(few_classes_warning(board, options));

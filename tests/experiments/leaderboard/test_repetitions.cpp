@@ -31,12 +31,12 @@ Evaluation evaluation_of(const RepeatedBoard& small, int seed) {
   return evaluate_files(files, {}).evaluation;
 }
 
-TEST(Repetitions, AreOneMethodWithMeanAndStandardDeviation) {
+TEST(Repetitions, AreMergedIntoOneMethodWithMeanAndStandardDeviation) {
   const RepeatedBoard small;
   const Leaderboard board = small.judged();
   ASSERT_EQ(board.submissions.size(), 3U);
   EXPECT_TRUE(board.refused.empty());
-  const JudgedSubmission& fair = board.submissions[1];
+  const EvaluatedSubmission& fair = board.submissions[1];
   EXPECT_EQ(fair.submission.name, "Fair");
   const std::vector<Evaluation> alone{evaluation_of(small, 1), evaluation_of(small, 2), evaluation_of(small, 3)};
   const Eigen::Vector3d scores(alone[0].micro[1], alone[1].micro[1], alone[2].micro[1]);
@@ -74,14 +74,14 @@ TEST(Repetitions, AppearInTablesFilesAndPages) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"deviations\":{\"micro\":[0."));
 }
 
-TEST(Repetitions, WithOneFileAreAnOrdinarySubmission) {
+TEST(Repetitions, OfOneFileAreAnOrdinarySubmission) {
   const test_board::SmallBoard small;
   small.add("alone.seed7.csv", test_board::small_matrix(0.5));
   const Leaderboard board = small.judged();
   ASSERT_EQ(board.submissions.size(), 3U);
-  for (const JudgedSubmission& judged : board.submissions) EXPECT_EQ(judged.micro_deviation.size(), 0);
+  for (const EvaluatedSubmission& judged : board.submissions) EXPECT_EQ(judged.micro_deviation.size(), 0);
   std::vector<std::string> names;
-  for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
+  for (const EvaluatedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
   EXPECT_THAT(names, testing::Contains("alone"));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class SubmissionFolder : public test::FolderTest {
+class SubmissionsOfAFolder : public test::FolderTest {
  protected:
   void add(const std::string& name, const std::string& text = "0") { test::write_text(at(name), text); }
   FoundSubmissions find(const std::vector<std::filesystem::path>& others = {}) {
@@ -19,7 +19,7 @@ class SubmissionFolder : public test::FolderTest {
   }
 };
 
-TEST_F(SubmissionFolder, HaveRepetitionsWithOneDescription) {
+TEST_F(SubmissionsOfAFolder, ShareOneDescriptionAmongRepetitions) {
   for (const char* name : {"x.seed1.npy", "x.fold12.csv.gz", "y.v2.npy", "z.seedling.npy", "z.seed.npy"}) add(name);
   add("x.json", R"({"authors": "A"})");
   add("y.v2.json", R"({"name": "Y"})");
@@ -35,7 +35,7 @@ TEST_F(SubmissionFolder, HaveRepetitionsWithOneDescription) {
   EXPECT_TRUE(found.refused.empty());
 }
 
-TEST_F(SubmissionFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
+TEST_F(SubmissionsOfAFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
   for (const char* name : {"m10.npy", "m2.csv.gz", "m1.RUN", "README.md", ".hidden.npy", "deep/x.npy"}) add(name);
   const FoundSubmissions found = find();
   ASSERT_EQ(found.submissions.size(), 3U);
@@ -46,7 +46,7 @@ TEST_F(SubmissionFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
   EXPECT_TRUE(found.refused.empty());
 }
 
-TEST_F(SubmissionFolder, AreDescribedByAJsonFile) {
+TEST_F(SubmissionsOfAFolder, AreDescribedByAJsonFile) {
   add("x.csv.gz");
   add("x.json", R"({"name": "Ours", "authors": ["A", "B"], "paper": "P", "url": "https://e.org", "similarity": true,
                     "ids": "order.txt"})");
@@ -62,14 +62,14 @@ TEST_F(SubmissionFolder, AreDescribedByAJsonFile) {
   EXPECT_EQ(one.ids, at("order.txt"));
 }
 
-TEST_F(SubmissionFolder, MayHaveNoDescription) {
+TEST_F(SubmissionsOfAFolder, AreAcceptedWithoutADescription) {
   add("x.npy");
   const FoundSubmissions found = find();
   EXPECT_TRUE(found.submissions.at(0).name.empty());
   EXPECT_FALSE(found.submissions.at(0).similarity.has_value());
 }
 
-TEST_F(SubmissionFolder, AreRefusedForADescriptionThatCannotBeUsed) {
+TEST_F(SubmissionsOfAFolder, AreRejectedForAnInvalidDescription) {
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"{", "w0.json:1:2: not valid JSON"}, {"[]", "object"},
       {R"({"nane": "x"})", "\"name\""},     {R"({"similarity": "yes"})", "similarity"},
@@ -89,7 +89,7 @@ TEST_F(SubmissionFolder, AreRefusedForADescriptionThatCannotBeUsed) {
   }
 }
 
-TEST_F(SubmissionFolder, ADescriptionWithoutASubmissionIsRefused) {
+TEST_F(SubmissionsOfAFolder, ExcludeADescriptionWithoutASubmission) {
   add("x.npy");
   add("y.json", "{}");
   const FoundSubmissions found = find();
@@ -97,7 +97,7 @@ TEST_F(SubmissionFolder, ADescriptionWithoutASubmissionIsRefused) {
   EXPECT_EQ(found.refused[0].file, at("y.json"));
 }
 
-TEST_F(SubmissionFolder, RejectsPathsOutsideTheFolder) {
+TEST_F(SubmissionsOfAFolder, MustNotLieOutsideTheFolder) {
   const test::TemporaryFolder elsewhere;
   const auto secret = elsewhere.file("secret.txt", "secret");
   std::filesystem::create_symlink(secret, at("link.txt"));
@@ -124,14 +124,14 @@ TEST_F(SubmissionFolder, RejectsPathsOutsideTheFolder) {
   }
 }
 
-TEST_F(SubmissionFolder, ExcludesTheLabels) {
+TEST_F(SubmissionsOfAFolder, ExcludeTheLabels) {
   add("x.npy");
   add("labels.csv");
   EXPECT_EQ(find({at("labels.csv"), {}}).submissions.size(), 1U);
   EXPECT_EQ(find().submissions.size(), 2U);
 }
 
-TEST_F(SubmissionFolder, SkipsReadmes) {
+TEST_F(SubmissionsOfAFolder, ExcludeReadmeFiles) {
   add("x.npy");
   add("README.txt");
   add("License.csv");
@@ -141,12 +141,12 @@ TEST_F(SubmissionFolder, SkipsReadmes) {
   EXPECT_EQ(found.skipped.size(), 2U);
 }
 
-TEST_F(SubmissionFolder, WithoutSubmissionsIsAnError) {
+TEST_F(SubmissionsOfAFolder, MustNotBeMissing) {
   add("README.md");
   EXPECT_THAT(test::input_error_of([&] { find(); }), HasSubstr("no submissions"));
 }
 
-TEST(Submissions, RejectMissingPathsAndKeepTheOthers) {
+TEST(Submissions, RejectMissingPathsAndKeepOtherSubmissions) {
   const test::TemporaryFolder folder;
   const auto there = folder.file("a.npy", "0");
   const FoundSubmissions found = find_submissions(std::vector{folder.path() / "absent.npy", there});

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-class WriteSite : public testing::Test {
+class WriteLeaderboardSite : public testing::Test {
  protected:
   SiteUpdate update(const fs::path& folder) const {
     return write_site(folder, "Title", small.judged(), small.options());
@@ -33,7 +33,7 @@ class WriteSite : public testing::Test {
   const fs::path site = small.folder.path() / "site";
 };
 
-TEST_F(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
+TEST_F(WriteLeaderboardSite, WritesTheMainPageTheTablesAndAPagePerMethod) {
   const SiteUpdate first = update(site);
   EXPECT_EQ(first.written, 2U);
   for (const char* name : {"index.html", "leaderboard.csv", "leaderboard.tex", "leaderboard.json", "methods/good.html",
@@ -44,7 +44,7 @@ TEST_F(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 }
 
-TEST_F(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
+TEST_F(WriteLeaderboardSite, WritesOnlyPagesOfSubmissionsThatChanged) {
   update(site);
   test::write_text(site / "methods/good.html", "as it was");
   small.add("third.csv", test_board::small_matrix(1));
@@ -62,14 +62,14 @@ TEST_F(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
   EXPECT_NE(test::text_of(site / "methods/good.html"), "as it was");
 }
 
-TEST_F(WriteSite, RewritesPagesWhenClassesAreRenamed) {
+TEST_F(WriteLeaderboardSite, RewritesPagesWhenClassesAreRenamed) {
   update(site);
   rename_class("renamed");
   EXPECT_EQ(update(site).written, 2U);
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("renamed"));
 }
 
-TEST_F(WriteSite, CompletesAnInterruptedSite) {
+TEST_F(WriteLeaderboardSite, CompletesASiteAfterAnInterruption) {
   // A page that cannot be written: its place is taken by a folder.
   fs::create_directories(site / "methods" / "good.html" / "in the way");
   EXPECT_ANY_THROW(check_site_folder(site)) << "no site yet";
@@ -93,7 +93,7 @@ TEST_F(WriteSite, CompletesAnInterruptedSite) {
   EXPECT_EQ(test::text_of(site / "methods/good.html"), whole);
 }
 
-TEST_F(WriteSite, ShowsNoFolders) {
+TEST_F(WriteLeaderboardSite, WritesNoFolderPathsIntoPages) {
   small.add("broken.npy", "no numbers");
   small.add("few.lists", "m0 m3 m6\n");
   update(site);
@@ -105,7 +105,7 @@ TEST_F(WriteSite, ShowsNoFolders) {
             "m.npy: row 3 of labels.csv");
 }
 
-TEST_F(WriteSite, HidesClassesOnRequest) {
+TEST_F(WriteLeaderboardSite, HidesClassesOnRequest) {
   update(site);
   JudgingOptions options = small.options();
   rename_class("secret");
@@ -118,7 +118,7 @@ TEST_F(WriteSite, HidesClassesOnRequest) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
-TEST_F(WriteSite, IsIndependentOfTheFolder) {
+TEST_F(WriteLeaderboardSite, PagesDoNotDependOnTheOutputFolder) {
   update(small.folder.path() / "grown");
   small.add("third.csv", test_board::small_matrix(1));
   update(small.folder.path() / "grown");
@@ -129,7 +129,7 @@ TEST_F(WriteSite, IsIndependentOfTheFolder) {
   }
 }
 
-TEST_F(WriteSite, RankedListsAreRankedButHaveNoPage) {
+TEST_F(WriteLeaderboardSite, RanksSubmittedRankedListsButWritesNoPageForThem) {
   small.add("lists.lists", "m0 m3 m6\nm1 m4\n");
   const SiteUpdate written = update(site);
   EXPECT_EQ(written.written, 2U);
@@ -137,7 +137,7 @@ TEST_F(WriteSite, RankedListsAreRankedButHaveNoPage) {
   EXPECT_FALSE(fs::exists(site / "methods/lists.html"));
 }
 
-TEST_F(WriteSite, RejectsFoldersWithOtherFiles) {
+TEST_F(WriteLeaderboardSite, RejectsFoldersWithUnrelatedFiles) {
   test::write_text(site / "thesis.txt", "mine");
   EXPECT_THAT(test::input_error_of([&] { update(site); }), HasSubstr(site.string()));
   test::write_text(site / "leaderboard.json", "{}");
@@ -146,7 +146,7 @@ TEST_F(WriteSite, RejectsFoldersWithOtherFiles) {
   EXPECT_THAT(test::input_error_of([&] { update(small.labels()); }), HasSubstr("file"));
 }
 
-TEST_F(WriteSite, RemovesNothingOutsideItsFolder) {
+TEST_F(WriteLeaderboardSite, RemovesNoFilesOutsideItsFolder) {
   update(site);
   auto json = nlohmann::ordered_json::parse(test::text_of(site / "leaderboard.json"));
   test::write_text(small.folder.path() / "victim.html", "stays");

@@ -65,7 +65,7 @@ TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfASingleExperiment) {
   EXPECT_TRUE(fs::exists(at("together/First_set/manifest.json")));
 }
 
-TEST_F(RunMultiDataset, RefusesNamesOfItsResultFiles) {
+TEST_F(RunMultiDataset, RejectsDataSetsNamedLikeItsResultFiles) {
   for (const char* name : {"summary.csv", "Report.html", "pairs.csv", " manifest.json"}) {
     Json json = document();
     json["datasets"][1]["name"] = name;
@@ -115,7 +115,7 @@ TEST_F(RunMultiDataset, ExcludesUnusableDataSetsWithTheReason) {
   EXPECT_EQ(summary["tables"], json_in("good/summary.json")["tables"]) << "the others are as without them";
 }
 
-TEST_F(RunMultiDataset, DoesNotWriteTheResultsOfADataSetIntoOne) {
+TEST_F(RunMultiDataset, DoesNotWriteResultsIntoAnInputDataSet) {
   Json json = document();
   json["datasets"][0]["name"] = "second";
   json["datasets"][1]["name"] = "first";
@@ -151,7 +151,7 @@ TEST_F(RunMultiDataset, NamesExcludedModelsWithTheirDataSet) {
   EXPECT_EQ(run(json, "stopped").left_out[0].id, "second") << "the whole data set";
 }
 
-TEST_F(RunMultiDataset, IsRepeatedFromItsManifest) {
+TEST_F(RunMultiDataset, CanBeRepeatedFromItsManifest) {
   (void)run(document(), "first-run");
   const Json recorded = read_manifest(at("first-run") / manifest_name);
   const auto paths = [](const Json&) { return multi_dataset_kind().paths; };
@@ -181,7 +181,7 @@ TEST_F(RunMultiDataset, ReplacesTheFilesOfAnEarlierRun) {
   EXPECT_TRUE(fs::exists(at("results/second/summary.csv")));
 }
 
-TEST_F(RunMultiDataset, RejectsIncompleteOrContradictoryConfigurations) {
+TEST_F(RunMultiDataset, RejectsDataSetsWithoutUniqueNamesAndUnknownKeys) {
   Json both = document();
   both["dataset"] = both["datasets"][0];
   EXPECT_THAT(test::input_error_of([&] { read(both); }), HasSubstr("dataset"));

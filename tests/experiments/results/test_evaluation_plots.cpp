@@ -23,7 +23,7 @@ Evaluation small_evaluation() {
   return evaluate(distances, std::vector<int>{0, 0, 1, 1}, {});
 }
 
-TEST(EvaluationPlots, CurvesMatchTheTable) {
+TEST(EvaluationPlots, ContainTheCurvesOfTheTable) {
   const Evaluation evaluation = small_evaluation();
   const std::vector<NamedEvaluation> named{{.method = "a, \"b\"", .evaluation = &evaluation},
                                            {.method = "other", .evaluation = &evaluation}};
@@ -38,7 +38,7 @@ TEST(EvaluationPlots, CurvesMatchTheTable) {
   EXPECT_THAT(texts_in(curves_plot(curves)), testing::IsSupersetOf({"Recall", "Precision", "a, \"b\"", "other"}));
 }
 
-TEST(EvaluationPlots, OtherTablesAreRefused) {
+TEST(EvaluationPlots, RejectTablesWithoutCurves) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "x.csv";
   const std::string header = "method,protocol,recall,precision,macro_precision\n";

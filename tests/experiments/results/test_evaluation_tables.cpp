@@ -22,9 +22,9 @@ using testing::SizeIs;
 /// Values on a line: three of class A, four of class B, and one that is alone in its class, in rows that are in no
 /// order. No two distances of a row are equal. The scores are those of a script that knows the definitions only:
 /// classes differ, queries differ, and so do micro and macro.
-class Evaluations : public testing::Test {
+class EvaluationTables : public testing::Test {
  protected:
-  Evaluations() {
+  EvaluationTables() {
     const Eigen::VectorXd at{{7.4, 0, 2, 5.7, 1.1, 3.6, 9.5, 4.3}};
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances(8, 8);
     for (int i = 0; i < 8; ++i) {
@@ -57,7 +57,7 @@ const std::vector<Level> levels{{0, "0.05", "0.600000", "0.595833", "0.566667", 
                                 {15, "0.8", "0.471837", "0.474524", "0.493333", "0.455714"},
                                 {19, "1", "0.484354", "0.479365", "0.444444", "0.514286"}};
 
-TEST_F(Evaluations, SummaryHasMicroAndMacro) {
+TEST_F(EvaluationTables, SummariseMicroAndMacroAverages) {
   const TextTable table = summary_table(named);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "average", "NN", "FT", "ST", "E", "DCG", "mAP"));
   EXPECT_EQ(table.text_columns, 3U);
@@ -66,7 +66,7 @@ TEST_F(Evaluations, SummaryHasMicroAndMacro) {
                           ElementsAre("m", "psb", "macro", "29.17", "33.33", "75.00", "52.22", "66.72", "51.21")));
 }
 
-TEST(MergeEqualAverages, MergesRowsThatPrintEqually) {
+TEST(MergeEqualAverages, MergesRowsOfEqualPrintedScores) {
   const TextTable table{.header = {"method", "average", "NN"},
                         .rows = {{"a", "micro", "50.00"},
                                  {"a", "macro", "50.00"},
@@ -84,12 +84,12 @@ TEST(MergeEqualAverages, MergesRowsThatPrintEqually) {
   EXPECT_EQ(merged.emphases[0].row, 3U);
 }
 
-TEST_F(Evaluations, PrintFractionsAndDigitsAsRequested) {
+TEST_F(EvaluationTables, PrintPercentOrFractionsWithTheRequestedDigits) {
   EXPECT_THAT(summary_table(named, {.percent = false, .decimals = 3}).rows[0],
               ElementsAre("m", "psb", "micro", "0.286", "0.333", "0.762", "0.533", "0.672", "0.513"));
 }
 
-TEST_F(Evaluations, EveryEvaluationHasItsOwnRows) {
+TEST_F(EvaluationTables, ContainSeparateRowsForEachEvaluation) {
   named.push_back({.method = "n", .evaluation = &paper});
   const TextTable table = summary_table(named);
   ASSERT_THAT(table.rows, SizeIs(4));
@@ -105,7 +105,7 @@ TEST_F(Evaluations, EveryEvaluationHasItsOwnRows) {
   EXPECT_THAT(class_curves_table(named, classes).rows, SizeIs(2 * 20 + 2 * 11));
 }
 
-TEST_F(Evaluations, PrintIntervalsNextToScoresOrInColumns) {
+TEST_F(EvaluationTables, PrintIntervalsNextToScoresOrInColumns) {
   for (const double i : {0, 1, 2, 3, 4, 5}) {
     named[0].intervals.micro.push_back({.low = 0.01 * i, .high = 0.9 + 0.01 * i});
     named[0].intervals.macro.push_back({.low = 0.1 + 0.01 * i, .high = 0.8 + 0.01 * i});
@@ -131,7 +131,7 @@ TEST_F(Evaluations, PrintIntervalsNextToScoresOrInColumns) {
   EXPECT_THAT(intervals_table(named).rows, SizeIs(0));
 }
 
-TEST_F(Evaluations, IntervalsContainTheirAverages) {
+TEST_F(EvaluationTables, ConfidenceIntervalsContainTheirAverages) {
   const EvaluationIntervals over_queries = intervals_of(evaluation, {.blocks = ResamplingUnit::queries});
   const EvaluationIntervals over_classes = intervals_of(evaluation);
   for (Eigen::Index i = 0; i < 6; ++i) {
@@ -148,14 +148,14 @@ TEST_F(Evaluations, IntervalsContainTheirAverages) {
   EXPECT_NEAR(over_classes.micro[0].low, 0.25, 1e-12);
 }
 
-TEST_F(Evaluations, IntervalsNeedTwoClasses) {
+TEST_F(EvaluationTables, ConfidenceIntervalsAreOmittedForOneClass) {
   EXPECT_THAT(intervals_of(evaluation).micro, SizeIs(6));
   const Evaluation one = evaluate(Eigen::MatrixXd::Ones(3, 3), std::vector<int>{0, 0, 0}, {});
   EXPECT_TRUE(intervals_of(one).micro.empty());
   EXPECT_THAT(intervals_of(one, {.confidence = 0.9, .blocks = ResamplingUnit::queries}).macro, SizeIs(6));
 }
 
-TEST_F(Evaluations, TheBestOfAnAverageIsBold) {
+TEST_F(EvaluationTables, MarkTheBestScoreOfEachAverageInBold) {
   Evaluation worse = evaluation;
   worse.micro.setConstant(0.25);
   named.push_back({.method = "worse", .evaluation = &worse});
@@ -165,7 +165,7 @@ TEST_F(Evaluations, TheBestOfAnAverageIsBold) {
   EXPECT_EQ(bold, (std::map<std::size_t, int>{{0, 6}, {1, 6}, {3, 6}}));
 }
 
-TEST_F(Evaluations, PerClassOmitsClassesWithoutQueries) {
+TEST_F(EvaluationTables, PerClassTableOmitsClassesWithoutQueries) {
   const TextTable table = per_class_table(named, classes);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "queries", "NN", "FT", "ST", "E", "DCG", "mAP"));
   EXPECT_THAT(
@@ -174,7 +174,7 @@ TEST_F(Evaluations, PerClassOmitsClassesWithoutQueries) {
                   ElementsAre("m", "psb", "B", "4", "25.0000", "33.3333", "83.3333", "60.0000", "69.8182", "51.8651")));
 }
 
-TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
+TEST_F(EvaluationTables, PerQueryTableHasIdsAndClasses) {
   const TextTable table = per_query_table(named, ids, classes, csv_style);
   ASSERT_THAT(table.rows, SizeIs(7));
   EXPECT_THAT(table.rows[0],
@@ -188,7 +188,7 @@ TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
               ElementsAre("m", "psb", "z", "A", "0.0000", "0.0000", "0.0000", "44.4444", "40.8765", "26.6667"));
 }
 
-TEST_F(Evaluations, PerQueryScoresAreReadBackToTheBit) {
+TEST_F(EvaluationTables, PerQueryScoresAreReadBackExactly) {
   EXPECT_EQ(per_query_table(named, ids, classes).rows[1][4], "100");
   EXPECT_EQ(per_query_table(named, ids, classes).rows[0][5], "33.33333333333333");
   RandomNumbers random(3);
@@ -208,7 +208,7 @@ TEST(ScoreText, NeverPrintsNegativeZero) {
   EXPECT_EQ(score_text(-0.004, {.percent = false, .decimals = 3}), "-0.004");
 }
 
-TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {
+TEST_F(EvaluationTables, PrecisionRecallTableAveragesOverQueriesAndOverClasses) {
   const TextTable table = precision_recall_table(named);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "recall", "precision", "macro_precision"));
   ASSERT_THAT(table.rows, SizeIs(20));
@@ -217,7 +217,7 @@ TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {
   }
 }
 
-TEST_F(Evaluations, EveryClassHasItsOwnCurve) {
+TEST_F(EvaluationTables, PrecisionRecallTableHasACurvePerClass) {
   const TextTable table = class_curves_table(named, classes);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "recall", "precision"));
   ASSERT_THAT(table.rows, SizeIs(40));
@@ -227,13 +227,13 @@ TEST_F(Evaluations, EveryClassHasItsOwnCurve) {
   }
 }
 
-TEST_F(Evaluations, APlotHasRecallAndPrecision) {
+TEST_F(EvaluationTables, PsbPlotListsRecallAndPrecision) {
   const std::string plot = psb_plot(evaluation.micro_curve);
   EXPECT_THAT(plot, testing::StartsWith("0.050000\t0.600000\n0.100000\t0.600000\n"));
   EXPECT_THAT(plot, testing::EndsWith("0.950000\t0.481224\n1.000000\t0.484354\n"));
 }
 
-TEST_F(Evaluations, JsonHasFractions) {
+TEST_F(EvaluationTables, JsonContainsFractions) {
   const auto json = evaluation_json(evaluation, classes);
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["ties"], "index");

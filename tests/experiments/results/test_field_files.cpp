@@ -34,13 +34,13 @@ class FieldFiles : public testing::Test {
   std::string value_name = "sdf";
 };
 
-TEST_F(FieldFiles, CsvHasARowForEachSample) {
+TEST_F(FieldFiles, CsvFileHasOneRowPerSample) {
   const std::string text = written("x.csv");
   EXPECT_THAT(text, StartsWith("index,sdf,weight\n0,0.1,0.5\n1,nan,0.5\n2,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 12);
 }
 
-TEST_F(FieldFiles, CsvNamesThePolygonsOfTheFile) {
+TEST_F(FieldFiles, CsvFileGivesThePolygonOfEachSample) {
   shape.polygons.count = 6;
   for (int i = 0; i < 12; ++i) shape.polygons.of_triangle.push_back(i / 2);
   EXPECT_THAT(written("x.csv"), StartsWith("index,sdf,weight,polygon\n0,0.1,0.5,0\n1,nan,0.5,0\n2,"));
@@ -52,7 +52,7 @@ TEST_F(FieldFiles, CsvNamesThePolygonsOfTheFile) {
   EXPECT_THAT(written("v.csv"), StartsWith("index,sdf,weight\n")) << "vertices are those of the file";
 }
 
-TEST_F(FieldFiles, NpyContainsTheValues) {
+TEST_F(FieldFiles, NpyFileContainsTheValues) {
   const std::string bytes = written("x.npy");
   EXPECT_THAT(bytes, StartsWith("\x93NUMPY"));
   EXPECT_THAT(bytes, HasSubstr("'descr': '<f8', 'fortran_order': False, 'shape': (12,)"));
@@ -62,20 +62,20 @@ TEST_F(FieldFiles, NpyContainsTheValues) {
   EXPECT_EQ(last, 1);
 }
 
-TEST_F(FieldFiles, PlyAndPng) {
+TEST_F(FieldFiles, AreWrittenAsPlyAndPng) {
   const std::string ply = written("x.PLY");
   EXPECT_THAT(ply, StartsWith("ply\n"));
   EXPECT_THAT(ply, HasSubstr(" sdf\n"));
   EXPECT_THAT(written("x.png"), StartsWith("\x89PNG"));
 }
 
-TEST_F(FieldFiles, CsvAndPlyNameTheField) {
+TEST_F(FieldFiles, CsvAndPlyFilesNameTheField) {
   value_name = "inscribed_ball";
   EXPECT_THAT(written("x.csv"), StartsWith("index,inscribed_ball,weight\n"));
   EXPECT_THAT(written("x.ply"), HasSubstr("property double inscribed_ball\n"));
 }
 
-TEST_F(FieldFiles, AnotherExtensionIsAnError) {
+TEST_F(FieldFiles, RejectAnUnknownExtension) {
   EXPECT_THAT(test::input_error_of([] { field_file_writer("x.xlsx"); }),
               HasSubstr("must end in .csv, .npy, .ply or .png"));
 }

@@ -45,7 +45,7 @@ class ComparisonTables : public testing::Test {
   std::vector<MethodComparison> comparisons;
 };
 
-TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
+TEST_F(ComparisonTables, SummariseAveragesIntervalsAndSignificanceMarks) {
   const TextTable table = comparison_summary(methods, comparisons, {}, {.percent = true, .decimals = 1});
   EXPECT_THAT(table.header, ElementsAre("", "method", "NN", "FT"));
   EXPECT_THAT(table.rows, ElementsAre(ElementsAre("a", "x", "25.0 [20.0, 30.0]", "90.0 [20.0, 30.0]"),
@@ -63,7 +63,7 @@ TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
   EXPECT_THAT(bold, testing::UnorderedElementsAre(testing::Pair(1, 2), testing::Pair(0, 3)));
 }
 
-TEST_F(ComparisonTables, MarksIncludeTheSignificanceLevel) {
+TEST_F(ComparisonTables, SignificanceMarksIncludeTheLevelItself) {
   const TextTable table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
   // FT: z is better than y with a p of 0.5, which is what is left of a confidence of 0.5.
   EXPECT_TRUE(std::ranges::any_of(table.emphases, [](const Emphasis& emphasis) {
@@ -71,7 +71,7 @@ TEST_F(ComparisonTables, MarksIncludeTheSignificanceLevel) {
   }));
 }
 
-TEST_F(ComparisonTables, PairsAreByMeasure) {
+TEST_F(ComparisonTables, ListPairsOfMethodsForEachMeasure) {
   const TextTable table = pairs_table(methods, comparisons, {.percent = true, .decimals = 1}, false);
   EXPECT_THAT(table.header, ElementsAre("measure", "first", "second", "difference", "low", "high", "p", "p_holm",
                                         "p_tukey", "p_classes", "effect_size", "wins", "ties", "losses"));
@@ -83,7 +83,7 @@ TEST_F(ComparisonTables, PairsAreByMeasure) {
   EXPECT_EQ(pairs_table(methods, comparisons, {}, true).rows[3][7], "1e-05");
 }
 
-TEST_F(ComparisonTables, NeverPrintsNegativeZero) {
+TEST_F(ComparisonTables, NeverPrintNegativeZero) {
   PairDifference& pair = comparisons[0].pairs[0];
   pair.difference = -1e-17;
   pair.effect_size = -1e-9;
@@ -92,7 +92,7 @@ TEST_F(ComparisonTables, NeverPrintsNegativeZero) {
   EXPECT_EQ(table.rows[0][10], "0.00");
 }
 
-TEST_F(ComparisonTables, JsonHasFractionsAndSettings) {
+TEST_F(ComparisonTables, JsonContainsFractionsAndSettings) {
   const auto json = comparison_json(
       methods, comparisons,
       {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro, .confidence = 0.9});

@@ -56,7 +56,7 @@ TEST(MultiDatasetResults, AreSummarisedByMeanRank) {
   EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{80.00}"));
 }
 
-TEST(MultiDatasetResults, HaveAllTablesAndPairsInFiles) {
+TEST(MultiDatasetResults, WriteAllTablesAndPairsToFiles) {
   const MultiDatasetResults results = small_results();
   EXPECT_EQ(multi_dataset_csv_table(results).rows.size(), 4U);
   const TextTable pairs = multi_dataset_pairs_table(results);
@@ -68,7 +68,7 @@ TEST(MultiDatasetResults, HaveAllTablesAndPairsInFiles) {
   EXPECT_TRUE(json["tables"][0]["friedman"]["f"].is_null()) << "infinite: both data sets rank alike";
 }
 
-TEST(MultiDatasetResults, LinkToExistingReports) {
+TEST(MultiDatasetResults, LinkToReportsOnlyIfTheyExist) {
   MultiDatasetResults results = small_results();
   EXPECT_THAT(multi_dataset_html(results), HasSubstr("s/report.html"));
   for (EvaluatedDataset& dataset : results.datasets) dataset.page.clear();

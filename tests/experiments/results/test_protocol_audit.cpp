@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 
 // Two queries of a class and four targets, two of them relevant. `good` finds these first, `late` at ranks 1 and 4.
-class ProtocolAuditTest : public test::FolderTest {
+class ProtocolAuditOfTwoMethods : public test::FolderTest {
  protected:
   [[nodiscard]] ProtocolAudit audit() const {
     return audit_protocols(std::vector{late_, good_}, files_, {.resampling = {.resamples = 20}});
@@ -35,7 +35,7 @@ const AuditedScore& score_of(const ProtocolAudit& audit, const std::string& eval
   throw std::runtime_error(evaluator + " has no " + measure);
 }
 
-TEST_F(ProtocolAuditTest, HasTheScoresOfEachProgram) {
+TEST_F(ProtocolAuditOfTwoMethods, ContainsTheScoresOfEachProgram) {
   const ProtocolAudit found = audit();
   EXPECT_THAT(found.methods, ElementsAre("late", "good"));
   EXPECT_EQ(score_of(found, "shapegauge", "FT").values, Eigen::Vector2d(0.5, 1));
@@ -47,7 +47,7 @@ TEST_F(ProtocolAuditTest, HasTheScoresOfEachProgram) {
   EXPECT_THAT(score_of(found, "shrec21", "NN").ranks, ElementsAre(1U, 1U));
 }
 
-TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
+TEST_F(ProtocolAuditOfTwoMethods, TabulatesScoresOfOneQuantityPerTable) {
   const ProtocolAudit found = audit();
   EXPECT_THAT(audited_quantities(found), ElementsAre("NN", "FT", "ST", "mAP", "nDCG"));
   const TextTable table = audit_table(found, "FT", {.percent = true, .decimals = 0});
@@ -67,7 +67,7 @@ TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
 }
 
 // The labels are those of both files.
-TEST_F(ProtocolAuditTest, WarningsAboutLabelsAreGivenOnce) {
+TEST_F(ProtocolAuditOfTwoMethods, WarnsOnceOfAnAnomalyOfTheSharedLabels) {
   test::TemporaryFolder folder;
   const std::vector matrices{folder.file("a.csv", "0,1,2\n1,0,3\n2,3,0\n"),
                              folder.file("b.csv", "0,1,4\n1,0,3\n4,3,0\n")};
@@ -82,7 +82,7 @@ TEST_F(ProtocolAuditTest, WarningsAboutLabelsAreGivenOnce) {
 
 // All lists are alike, so that all queries of the class a have a first tier of 1 and those of b 0: resampled classes
 // range from 0 to 1, unless the rows of a file are taken for other queries.
-TEST_F(ProtocolAuditTest, FilesMayHaveTheirQueriesInAnyOrder) {
+TEST_F(ProtocolAuditOfTwoMethods, AcceptsFilesWithQueriesInAnyOrder) {
   const auto list = [](const std::string& query) {
     return query + " Q0 5 1 4 run\n" + query + " Q0 6 2 3 run\n" + query + " Q0 7 3 2 run\n" + query +
            " Q0 8 4 1 run\n";

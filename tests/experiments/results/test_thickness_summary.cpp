@@ -16,7 +16,7 @@ ScalarField field_of(std::vector<double> values, std::vector<double> weights) {
 
 const double none = std::numeric_limits<double>::quiet_NaN();
 
-TEST(ThicknessSummary, WeighsByArea) {
+TEST(ThicknessSummary, WeighsValuesByArea) {
   // Area fractions: 0.1 with value 1, 0.4 with 2, 0.5 with 4; 9 has weight 0, and one sample has no value.
   const ThicknessSummary summary = summarise(field_of({4, 1, none, 2, 9}, {5, 1, 100, 4, 0}), 2.0);
   EXPECT_EQ(summary.samples, 5U);
@@ -38,7 +38,7 @@ TEST(ThicknessSummary, IsEmptyWithoutValues) {
   EXPECT_TRUE(summary_json(named, {.threshold = 1.0})["below"]["percent"].is_null());
 }
 
-TEST(ThicknessSummary, IsATableAndJson) {
+TEST(ThicknessSummary, IsWrittenAsTableAndJson) {
   const std::vector<NamedSummary> one{{.name = "x.stl", .summary = summarise(field_of({1, 3}, {1, 3}), 2.0)}};
   const SummaryWords words{.unit = "mm", .threshold = 2.0};
   const TextTable table = thickness_summary_table(one, words);

@@ -71,7 +71,7 @@ CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
   return results.cache.uses.at(static_cast<std::size_t>(kind));
 }
 
-TEST_F(DescriptorRuns, DescribePreparedShapes) {
+TEST_F(DescriptorRuns, ComputeFeaturesOfPreparedShapes) {
   const ExperimentResults results = run(document(), false);
   for (Eigen::Index i = 0; i < 9; ++i) {
     const Shape shape = prepare_shape(read_shape(results.models[static_cast<std::size_t>(i)].file), {}).shape;
@@ -86,7 +86,7 @@ TEST_F(DescriptorRuns, DescribePreparedShapes) {
   for (Eigen::Index i = 0; i < 9; ++i) EXPECT_NEAR(bag.row(i).sum(), 1, 1e-6);
 }
 
-TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
+TEST_F(DescriptorRuns, DerivedDistancesMatchTheLibraryFunctions) {
   const ExperimentResults results = run(document(), false);
   const std::vector<DistanceMatrix> parts{method_named(results, "d2").distances,
                                           method_named(results, "joint").distances,
@@ -132,7 +132,7 @@ TEST_F(DescriptorRuns, ResultsDoNotDependOnTheCache) {
   EXPECT_EQ(uses_of_kind(again, EntryKind::field).computed, 0U);
 }
 
-TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
+TEST_F(DescriptorRuns, ComputeFeaturesFromCachedFields) {
   run(document(), true);
   Json changed = document();
   changed["signatures"][7]["descriptor"]["axes"][0]["bins"] = 5;
@@ -143,7 +143,7 @@ TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
   EXPECT_EQ(files_of(results), fresh);
 }
 
-TEST_F(DescriptorRuns, LearntFeaturesDependOnEveryModel) {
+TEST_F(DescriptorRuns, FeaturesWithACodebookDependOnEveryModel) {
   run(document(), true);
   write_off(data() / "T8.off", test::small_shape("box", 9));
   const auto fresh = files_of(run(document(), false));
@@ -176,11 +176,11 @@ DistanceMatrix without_4(const DistanceMatrix& distances) {
   return distances(others, others);
 }
 
-TEST_F(DescriptorRuns, OtherMethodsKeepModelsThatOneCannotProcess) {
+TEST_F(DescriptorRuns, KeepModelsThatOneMethodCannotProcessForOtherMethods) {
   Json document = this->document();
   document["on_error"] = "skip";
   const ExperimentResults before = run(document, false);
-  test::make_cloud(data() / "T4.off");
+  test::replace_by_cloud(data() / "T4.off");
   const ExperimentResults results = run(document, true);
   EXPECT_TRUE(results.failures.empty());
   ASSERT_EQ(results.models.size(), 9U);
@@ -220,7 +220,7 @@ TEST_F(DescriptorRuns, OtherMethodsKeepModelsThatOneCannotProcess) {
 }
 
 TEST_F(DescriptorRuns, SummaryCountsModelsThatAMethodCannotProcess) {
-  test::make_cloud(data() / "T4.off");
+  test::replace_by_cloud(data() / "T4.off");
   Json document = this->document();
   document["on_error"] = "skip";
   const ExperimentResults results = run(document, true);
@@ -240,15 +240,15 @@ TEST_F(DescriptorRuns, SummaryCountsModelsThatAMethodCannotProcess) {
   EXPECT_EQ(files_of(run(document, true)), files) << "from the cache";
 }
 
-TEST_F(DescriptorRuns, AMethodThatSupportsNoModelStopsTheRun) {
-  for (int i = 0; i < 9; ++i) test::make_cloud(data() / ("T" + std::to_string(i) + ".off"));
+TEST_F(DescriptorRuns, StopIfAMethodSupportsNoModel) {
+  for (int i = 0; i < 9; ++i) test::replace_by_cloud(data() / ("T" + std::to_string(i) + ".off"));
   Json document = this->document();
   document["on_error"] = "skip";
   EXPECT_THAT(test::input_error_of([&] { run(document, false); }),
               testing::HasSubstr("signature \"fixed\": none of 9 models can be used; the first is 0: "));
 }
 
-TEST_F(DescriptorRuns, WithoutFieldsTheReportHasNoPictures) {
+TEST_F(DescriptorRuns, ReportNoPicturesWithoutFields) {
   Json document = test::small_configuration(data());
   document["signatures"] = {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
                             {{"name", "again"}, {"rerank", {{"of", "d2"}, {"method", "k_reciprocal"}}}}};

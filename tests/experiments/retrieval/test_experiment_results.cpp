@@ -49,7 +49,7 @@ TEST(RunWarnings, IncludeTheRemarksOfMethods) {
   EXPECT_THAT(run_warnings(results), ElementsAre("method \"second\": odd"));
 }
 
-TEST(RunWarnings, OutliersAreReportedUnlessTheyAreRemoved) {
+TEST(RunWarnings, ReportOutliersUnlessTheyAreRemoved) {
   ExperimentResults results = two_methods();
   results.shapes.resize(5);
   results.shapes[3].diagnostics.outliers = 2;  // in the file
@@ -58,14 +58,14 @@ TEST(RunWarnings, OutliersAreReportedUnlessTheyAreRemoved) {
   EXPECT_THAT(run_warnings(results), IsEmpty());
 }
 
-TEST(RunWarnings, NormalsThatAreNotThoseOfTheSurfaceAreReported) {
+TEST(RunWarnings, ReportNormalsUnrelatedToTheSurface) {
   ExperimentResults results = two_methods();
   results.shapes.resize(5);
   results.shapes[1].diagnostics.stray_normals = true;
   EXPECT_THAT(run_warnings(results), ElementsAre(testing::StartsWith("1 of 5 shapes are clouds whose normals")));
 }
 
-TEST(RunWarnings, TiesAreReportedWithTheirEffectUnderEachProtocol) {
+TEST(RunWarnings, ReportTiesWithTheirEffectUnderEachProtocol) {
   ExperimentResults results = two_methods();
   EXPECT_THAT(run_warnings(results), IsEmpty());
   Evaluation& evaluation = results.methods[0].evaluations.front();

@@ -52,7 +52,7 @@ std::vector<RowRange> ranges_of(Eigen::Index all, Eigen::Index rows) {
   return ranges;
 }
 
-TEST(JudgedRows, MatchTheWholeMatrixForAnyDivision) {
+TEST(EvaluationByRows, MatchesTheWholeMatrixForAnyNumberOfRowsPerBlock) {
   const std::vector<EvaluationOptions> options = {{.protocol = Protocol::psb}, {.protocol = Protocol::paper}};
   const NamedDistance distance = distances().at("l1");
   for (const Eigen::Index models : {2, 3, 40, 700}) {
@@ -73,7 +73,7 @@ TEST(JudgedRows, MatchTheWholeMatrixForAnyDivision) {
             judge(first, some);
           });
         };
-        scores.push_back(decode<RowScores>(encode(judge_rows(task, options, range, visit, seconds))));
+        scores.push_back(decode<RowScores>(encode(evaluate_row_range(task, options, range, visit, seconds))));
       }
       EXPECT_EQ(seen, whole);
       const std::vector<Evaluation> evaluations = evaluations_of(task, options, scores);
@@ -83,16 +83,16 @@ TEST(JudgedRows, MatchTheWholeMatrixForAnyDivision) {
   }
 }
 
-TEST(LargestOfFirst, IsTheLargestDistanceOfTheFirstRow) {
+TEST(LargestDistance, FromTheFirstModelIsFoundAtAnyIndex) {
   for (const Eigen::Index far : {1, 3, 5}) {
     Signatures signatures = Signatures::Constant(6, 1, 1);
     signatures(0, 0) = 0;
     signatures(far, 0) = 8;
-    EXPECT_EQ(largest_of_first(distances().at("l1"), signatures), 8) << far;
+    EXPECT_EQ(largest_distance_from_first(distances().at("l1"), signatures), 8) << far;
   }
 }
 
-TEST(VisitDistances, ASignatureWithoutADistanceIsAnError) {
+TEST(VisitDistances, RejectsASignatureWithNonFiniteValues) {
   Signatures signatures = signatures_of(10);
   signatures(8, 3) = std::numeric_limits<float>::infinity();
   EXPECT_THAT(test::input_error_of([&] {
@@ -101,7 +101,7 @@ TEST(VisitDistances, ASignatureWithoutADistanceIsAnError) {
               testing::HasSubstr("signature 8"));
 }
 
-TEST(MatrixFile, HasTheRowsInOrder) {
+TEST(MatrixFile, ContainsTheAddedRowsInOrder) {
   const test::TemporaryFolder folder;
   const DistanceMatrix whole = distance_matrix(signatures_of(20), "l1");
   MatrixFile file(folder.path() / "matrix.npy", 20);
@@ -111,7 +111,7 @@ TEST(MatrixFile, HasTheRowsInOrder) {
   EXPECT_EQ(read_matrix(folder.path() / "matrix.npy", TableShape::square).numbers, whole);
 }
 
-TEST(MatrixFile, AFullDiskIsAnError) {
+TEST(MatrixFile, ReportsAFullDisk) {
   MatrixFile file("/dev/full", 400);
   EXPECT_THROW(
       {

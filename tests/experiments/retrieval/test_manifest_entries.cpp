@@ -15,7 +15,7 @@ using test::write_text;
 // SHA-256 of "abc" and of the empty text: FIPS 180-4.
 constexpr const char* hash_of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
-TEST(ManifestEntries, ContainInputsAndFailures) {
+TEST(ManifestEntries, ListInputsAndFailures) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "failed.off", "abc");
   ExperimentResults results;

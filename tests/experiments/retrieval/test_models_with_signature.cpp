@@ -16,15 +16,15 @@ DistanceMatrix with_infinite_second() {
   return DistanceMatrix{{0, infinite, 5}, {infinite, 0, infinite}, {7, infinite, 0}};
 }
 
-TEST(ModelsWithSignature, OtherModelsAreInfinitelyFar) {
+TEST(ModelsWithSignature, ModelsWithoutASignatureAreInfinitelyFar) {
   const ModelsWithSignature models(second_of_three(), 3);
-  EXPECT_FALSE(models.are_all());
+  EXPECT_FALSE(models.has_all_models());
   EXPECT_THAT(models.places(), testing::ElementsAre(0, 2));
   const DistanceMatrix between{{0, 5}, {7, 0}};
   EXPECT_EQ(models.spread(between), with_infinite_second());
 }
 
-TEST(ModelsWithSignature, ExpandsRowsToTheWholeMatrix) {
+TEST(ModelsWithSignature, DistancesOfModelsWithoutASignatureBecomeInfiniteInBlocksOfRows) {
   const ModelsWithSignature models(second_of_three(), 3);
   const DistanceMatrix whole{{0, 1, 5}, {2, 0, 3}, {7, 4, 0}};
   DistanceMatrix first = whole.topRows(1);
@@ -35,18 +35,18 @@ TEST(ModelsWithSignature, ExpandsRowsToTheWholeMatrix) {
   EXPECT_EQ(others, with_infinite_second().bottomRows(2));
 }
 
-TEST(ModelsWithSignature, WithAllModelsDistancesAreUnchanged) {
+TEST(ModelsWithSignature, DistancesAreUnchangedIfAllModelsHaveASignature) {
   const ModelsWithSignature models({}, 2);
-  EXPECT_TRUE(models.are_all());
+  EXPECT_TRUE(models.has_all_models());
   const DistanceMatrix between = DistanceMatrix::Random(2, 2);
   EXPECT_EQ(models.spread(between), between);
 }
 
-TEST(ModelsWithSignature, FirstSignatureReplacesMissingOnes) {
+TEST(ModelsWithSignature, MissingSignaturesAreReplacedByTheFirst) {
   const Signatures all{{1, 2}, {3, 4}, {5, 6}, {7, 8}};
   const std::vector<ModelFailure> without{{.model = 0, .message = ""}, {.model = 3, .message = ""}};
   const Signatures expected{{3, 4}, {3, 4}, {5, 6}, {3, 4}};
-  EXPECT_EQ(ModelsWithSignature(without, 4).with_stand_ins(all), expected);
+  EXPECT_EQ(ModelsWithSignature(without, 4).with_placeholder_rows(all), expected);
 }
 
 }  // namespace

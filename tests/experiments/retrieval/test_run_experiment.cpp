@@ -46,7 +46,7 @@ class RunExperiment : public test::FolderTest {
   }
 };
 
-TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
+TEST_F(RunExperiment, RetrievesClearlyDifferentClassesPerfectly) {
   const ExperimentResults results = run();
   ASSERT_EQ(results.methods.size(), 4U);
   const Evaluation& psb = results.methods[0].evaluations.at(0);
@@ -60,7 +60,7 @@ TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
   EXPECT_TRUE(results.failures.empty());
 }
 
-TEST_F(RunExperiment, CloudsAreRetrievedToo) {
+TEST_F(RunExperiment, RetrievesPointClouds) {
   for (int i = 0; i < 9; ++i) {
     const fs::path file = data() / fmt::format("T{}.off", i);
     write_off(file, test::random_points(read_shape(file), 1500, static_cast<std::uint64_t>(i)));
@@ -77,7 +77,7 @@ TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
 }
 
-TEST_F(RunExperiment, DistancesMatchTheSingleSteps) {
+TEST_F(RunExperiment, DistancesMatchTheComputationStepByStep) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
     const Shape shape = prepare_shape(read_shape(data() / name), {}).shape;
@@ -90,14 +90,14 @@ TEST_F(RunExperiment, DistancesMatchTheSingleSteps) {
   EXPECT_GT(expected, 0.5);
 }
 
-TEST_F(RunExperiment, ConcatenationsHaveTheMeanDistance) {
+TEST_F(RunExperiment, ConcatenationHasTheMeanDistanceOfItsInputs) {
   const ExperimentResults results = run();
   const auto& both = results.methods[3].distances;
   const DistanceMatrix expected = (results.methods[0].distances + results.methods[1].distances) / 2;
   EXPECT_TRUE(both.isApprox(expected, 1e-5));
 }
 
-TEST_F(RunExperiment, RangeOfTheDataSetEnclosesAllShapes) {
+TEST_F(RunExperiment, DataSetRangeEnclosesTheValuesOfAllShapes) {
   // With the range fixed to that of the data set, signatures agree to single precision.
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};
@@ -114,7 +114,7 @@ TEST_F(RunExperiment, RangeOfTheDataSetEnclosesAllShapes) {
   EXPECT_TRUE(fixed.methods[0].distances.isApprox(results.methods[2].distances, 0.02));
 }
 
-TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
+TEST_F(RunExperiment, ComputesAFieldSharedBySignaturesOnce) {
   const ExperimentResults results = run();
   ASSERT_EQ(results.fields.size(), 1U);
   std::size_t faces = 0;
@@ -122,7 +122,7 @@ TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
   EXPECT_EQ(results.fields[0].outcomes.at("total"), faces);
 }
 
-TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
+TEST_F(RunExperiment, WritesTheSameBytesOnAnyNumberOfThreads) {
   for (const int threads : {1, 3}) test::publish(at(std::to_string(threads)), run(Json::object(), threads));
   for (const char* file : {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv",
                            "pr_curves.csv", "report.html", "shapes.csv", "distances/fixed.npy",
@@ -141,14 +141,14 @@ TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(one, three);
 }
 
-TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
+TEST_F(RunExperiment, ReportContainsIntervalsDistancesAndSettings) {
   Json document = test::small_configuration(data());
   document["signatures"].push_back({{"name", "d2"}, {"descriptor", {{"type", "d2"}}}});
   document["signatures"].push_back({{"name", "Sum"}, {"sum", {{{"of", "d2"}, {"weight", 0.5}}, {{"of", "both"}}}}});
   document["perturbations"] = {{{"type", "motion"}}};
   test::publish(at("out"),
                 run_experiment(configuration_from_json(document, "test.json", "."), at("generated"), {.threads = 1}));
-  const Json report(test::data_in(text_of(at("out") / "report.html")));
+  const Json report(test::json_of_page(text_of(at("out") / "report.html")));
   const Json row = Json::parse(text_of(at("out") / "summary.json")).at("rows")[1];
   ASSERT_EQ(row["average"], "macro");
   const Json& evaluation = report["methods"][0]["evaluations"][0];
@@ -173,7 +173,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   EXPECT_EQ(report["leaks"], Json::array());
 }
 
-TEST_F(RunExperiment, TiesAreCountedAndReported) {
+TEST_F(RunExperiment, CountsAndReportsTies) {
   // One-bin histograms of all nine models are equal: all distances tie.
   const Json one_bin{{"name", "one bin"},
                      {"field", {{"type", "cone_sdf"}}},
@@ -199,7 +199,7 @@ TEST_F(RunExperiment, TiesAreCountedAndReported) {
   EXPECT_THAT(text_of(at("out") / "report.html"), HasSubstr("9 of 9 queries"));
 }
 
-TEST_F(RunExperiment, ABadModelStopsTheRunAndIsNamed) {
+TEST_F(RunExperiment, StopsAtAnInvalidModelAndNamesIt) {
   write_text(data() / "T4.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
   const std::string message = test::input_error_of([&] { static_cast<void>(run()); });
   EXPECT_THAT(message, HasSubstr("model 4: "));
@@ -207,7 +207,7 @@ TEST_F(RunExperiment, ABadModelStopsTheRunAndIsNamed) {
   EXPECT_THAT(message, HasSubstr("\"on_error\""));
 }
 
-TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
+TEST_F(RunExperiment, SkipsEveryKindOfInvalidModelOnRequest) {
   const Json skip{{"on_error", "skip"}};
   write_text(data() / "T1.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");  // not a number
   write_text(data() / "T2.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");    // index out of range
@@ -225,7 +225,7 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   EXPECT_EQ(Json::parse(text_of(at("out") / "manifest.json"))["failed_models"].size(), 5U);
 }
 
-TEST_F(RunExperiment, InvalidConfigurationsStopBeforeComputing) {
+TEST_F(RunExperiment, ReportsAMissingFileBeforeComputing) {
   fs::remove(data() / "T8.off");
   bool began = false;
   RunControl control;
@@ -243,7 +243,7 @@ TEST_F(RunExperiment, StopsIfAllModelsAreSkipped) {
               AllOf(HasSubstr("9 models"), HasSubstr("T0.off")));
 }
 
-TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
+TEST_F(RunExperiment, ExcludesTheModelOfASingletonClassFromQueries) {
   write_text(data() / "test.cla", "PSB 1\n2 4\nsphere 0 3\n0\n3\n6\nbox 0 1\n1\n");
   const ExperimentResults results = run();
   EXPECT_EQ(results.methods[0].evaluations[0].queries.size(), 3U);
@@ -251,7 +251,7 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
 }
 
-TEST_F(RunExperiment, AnInterruptionStopsSoon) {
+TEST_F(RunExperiment, StopsSoonIfInterrupted) {
   std::atomic<int> asked = 0;
   std::size_t most_done = 0;
   RunControl control;
@@ -274,7 +274,7 @@ TEST_F(RunExperiment, RemovesFilesOfAnEarlierRunByItsManifest) {
   EXPECT_TRUE(fs::exists(at("out") / "distances/mine.npy"));
 }
 
-TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads) {
+TEST_F(RunExperiment, PerturbsModelsEquallyOnAnyNumberOfThreads) {
   const Json changes = Json::parse(R"({"seed": 3, "perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "vertex_noise", "amplitude": 0.01}]]},
     {"type": "motion", "scale": 10}]})");
@@ -285,7 +285,7 @@ TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads)
             run({{"seed", 4}, {"perturbations", changes["perturbations"]}}).methods[0].distances);
 }
 
-TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
+TEST_F(RunExperiment, ReportsAFailedPerturbationAsAFailureOfItsModel) {
   // The second model becomes a point cloud, which cannot be decimated.
   const Json changes = Json::parse(R"({"on_error": "skip", "perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [
@@ -306,7 +306,7 @@ TEST_F(RunExperiment, NotesModelsThatAreNotPerturbedAsRequested) {
   EXPECT_THAT(notes_of(Json::object()), testing::IsEmpty());
 }
 
-TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
+TEST_F(RunExperiment, ReportsTheDiagnosticsOfPerturbedShapes) {
   const Json changes = Json::parse(R"({"perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "remove_faces", "fraction": 0.1}]]}]})");
   test::publish(at("out"), run(changes));
@@ -328,7 +328,7 @@ TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
   EXPECT_EQ(parse_csv(text_of(at("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
 }
 
-TEST_F(RunExperiment, ManifestDescribesTheRun) {
+TEST_F(RunExperiment, ManifestListsProgramConfigurationSeedAndInputs) {
   test::publish(at("out"), run({{"seed", 5}}));
   const Json manifest = Json::parse(text_of(at("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {

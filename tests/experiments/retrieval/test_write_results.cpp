@@ -71,7 +71,7 @@ class WriteResults : public test::FolderTest {
   ExperimentResults results_;
 };
 
-TEST_F(WriteResults, SummariesHaveTheAveragesOfEachMethodInPercent) {
+TEST_F(WriteResults, SummaryHasTheAveragesOfEachMethodInPercent) {
   write();
   const auto of = [&](const char* method, const char* average) {
     return test::csv_numbers(test::csv_record(out("summary.csv"), {{"method", method}, {"average", average}}),
@@ -135,7 +135,7 @@ TEST_F(WriteResults, WritesNoDistancesIfDisabled) {
   }
 }
 
-TEST_F(WriteResults, ShapesHaveTheirClassAreaAndSeconds) {
+TEST_F(WriteResults, ListsShapesWithClassAreaAndSeconds) {
   results_.failures.push_back({.id = "7", .message = "it is broken", .file = at("absent.off")});
   write();
   for (std::size_t i = 0; i < names_.size(); ++i) {

@@ -21,9 +21,9 @@ std::vector<std::string> ids_of(const Collection& collection) {
   return ids;
 }
 
-class CollectionOf : public test::FolderTest {
+class FindCollection : public test::FolderTest {
  protected:
-  CollectionOf() {
+  FindCollection() {
     for (const char* name : {"a10.off", "a9.OBJ", "deep/er/b.stl", ".hidden/c.off", "notes.txt", ".d.off"}) {
       test::write_text(at(name), "x");
     }
@@ -35,7 +35,7 @@ class CollectionOf : public test::FolderTest {
   }
 };
 
-TEST_F(CollectionOf, ReadsFoldersRecursively) {
+TEST_F(FindCollection, ReadsFoldersRecursively) {
   std::filesystem::create_directory_symlink(at(""), at("deep/circle"));
   const Collection found = find_collection(at(""));
   EXPECT_THAT(ids_of(found), ElementsAre("a9.OBJ", "a10.off", "deep/er/b.stl"));
@@ -44,7 +44,7 @@ TEST_F(CollectionOf, ReadsFoldersRecursively) {
   EXPECT_EQ(found.skipped.folders, 1U);  // the circle
 }
 
-TEST_F(CollectionOf, AFolderWithALinkHasItsOwnName) {
+TEST_F(FindCollection, KeepsTheRealPathOfAFolderWithALink) {
   std::filesystem::create_directory(at("a"));
   std::filesystem::create_directory_symlink(at("deep/er"), at("a/alias"));
   std::filesystem::create_directory_symlink(at("deep"), at("b"));
@@ -53,7 +53,7 @@ TEST_F(CollectionOf, AFolderWithALinkHasItsOwnName) {
   EXPECT_EQ(found.skipped.folders, 2U);
 }
 
-TEST_F(CollectionOf, ReadsLists) {
+TEST_F(FindCollection, ReadsListsOfFiles) {
   const Collection found = find_collection(written("list.txt", "# shapes\n\n deep/er/b.stl \r\na10.off\n"));
   EXPECT_THAT(ids_of(found), ElementsAre("a10.off", "deep/er/b.stl"));
   EXPECT_TRUE(std::filesystem::exists(found.file(found.files[1].path)));
@@ -62,7 +62,7 @@ TEST_F(CollectionOf, ReadsLists) {
   EXPECT_THAT(input_error_of([&] { find_collection(written("none.txt", "#\n")); }), HasSubstr("has no shapes"));
 }
 
-TEST_F(CollectionOf, ReadsDataSets) {
+TEST_F(FindCollection, ReadsDataSets) {
   const auto table = written("models.csv", "id,path,class\none,a10.off,x\ntwo,deep/er/b.stl,y\n");
   EXPECT_THAT(ids_of(find_collection(table)), ElementsAre("one", "two"));
   const auto configuration = written(
@@ -74,7 +74,7 @@ TEST_F(CollectionOf, ReadsDataSets) {
   EXPECT_EQ(find_collection(small.models() / "test.cla").files.size(), 9U);
 }
 
-TEST_F(CollectionOf, ADataSetMayBeGivenByItsFile) {
+TEST_F(FindCollection, AcceptsAConfigurationThatNamesADatasetFile) {
   test::write_text(at("models.csv"), "id,path,class\none,a10.off,x\ntwo,deep/er/b.stl,y\n");
   test::write_text(at("sets/ds.json"), R"({"description": "Two shapes.", "layout": "csv", "root": ".."})");
   const auto configuration = written("run.json", R"({"name": "n", "dataset": "sets/ds.json"})");
@@ -86,7 +86,7 @@ TEST_F(CollectionOf, ADataSetMayBeGivenByItsFile) {
               AllOf(HasSubstr("run.json: dataset: "), HasSubstr("absent.json: no such file")));
 }
 
-TEST_F(CollectionOf, InvalidDataSetsAreErrorsWithTheirLocation) {
+TEST_F(FindCollection, RejectsInvalidDataSetsWithTheirLocation) {
   for (const auto& [dataset, message] : {std::pair(R"({})", "run.json: dataset: "),
                                          {R"({"layout": "folders", "root": 3})", "run.json: dataset.root: "},
                                          {R"({"layout": "shrec07", "root": ".", "split": "test"})", "dataset.split: "},
@@ -98,7 +98,7 @@ TEST_F(CollectionOf, InvalidDataSetsAreErrorsWithTheirLocation) {
   }
 }
 
-TEST_F(CollectionOf, RejectsOtherFiles) {
+TEST_F(FindCollection, RejectsMissingFilesSingleShapesAndEmptyFolders) {
   EXPECT_THAT(input_error_of([&] { find_collection(at("absent")); }), HasSubstr("No such file"));
   EXPECT_THAT(input_error_of([&] { find_collection(at("a10.off")); }), HasSubstr("is not a collection"));
   EXPECT_THAT(input_error_of([&] { find_collection(written("no.json", R"({"name": "n"})")); }),
@@ -107,7 +107,7 @@ TEST_F(CollectionOf, RejectsOtherFiles) {
   EXPECT_THAT(input_error_of([&] { find_collection(at("empty")); }), HasSubstr("has no shapes"));
 }
 
-TEST(UsualIndexPath, IsNextToTheCollection) {
+TEST(DefaultIndexPath, IsNextToTheCollection) {
   EXPECT_EQ(default_index_path("/a/models"), "/a/models.search-index");
   EXPECT_EQ(default_index_path("/a/models/"), "/a/models.search-index");
   EXPECT_EQ(default_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");

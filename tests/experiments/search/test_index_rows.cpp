@@ -52,7 +52,7 @@ void expect_sum_of(const CollectionSum& sum, const OpenIndex& index, const Dista
   }
 }
 
-TEST(IndexRows, DistancesPerTermMatchEachPair) {
+TEST(IndexRows, HaveThePairwiseDistancesOfEachTerm) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "bag"}) {
     const OpenIndex index = folder.open(signature);
@@ -71,7 +71,7 @@ TEST(IndexRows, DistancesPerTermMatchEachPair) {
   }
 }
 
-TEST(IndexRows, SumMatchesWholeMatrices) {
+TEST(IndexRows, SumOfTermDistancesMatchesThatOfWholeMatrices) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "mutual ranks", "d2"}) {
     SCOPED_TRACE(signature);
@@ -80,13 +80,13 @@ TEST(IndexRows, SumMatchesWholeMatrices) {
   }
 }
 
-TEST(IndexRows, NearestModelsFollowTheSum) {
+TEST(IndexRows, RankModelsByTheSumOfTheirTermDistances) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "d2"}) {
     const OpenIndex index = folder.open(signature);
     const DistanceMatrix sums = whole_sum(index);
     for (const int count : {1, 3, 8}) {
-      const NearestModels found = nearest_in(index.method, index.contents, count, {});
+      const NearestModels found = nearest_models_in_index(index.method, index.contents, count, {});
       const NearestModels expected = nearest_models(9, count, rows_of(sums));
       EXPECT_EQ(found.indices, expected.indices) << signature << ' ' << count;
       EXPECT_EQ(found.distances, expected.distances);
@@ -100,7 +100,7 @@ TEST(IndexRows, StopWhenInterrupted) {
   const OpenIndex index = folder.open();
   const RunControl interrupted{.interrupted = [] { return true; }};
   EXPECT_THROW(sum_of(index.method, index.contents, interrupted), Interrupted);
-  EXPECT_THROW(nearest_in(index.method, index.contents, 2, interrupted), Interrupted);
+  EXPECT_THROW(nearest_models_in_index(index.method, index.contents, 2, interrupted), Interrupted);
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ void make_old(const SearchedFolder& folder) {
   }
 }
 
-class OpenIndexTest : public testing::Test {
+class OpenIndexOfAFolder : public testing::Test {
  protected:
   const SearchedFolder folder;
 };
 
-TEST_F(OpenIndexTest, IsDescribedOnceAndThenRead) {
+TEST_F(OpenIndexOfAFolder, IsComputedOnceAndReadAfterwards) {
   make_old(folder);
   IndexUpdate first;
   const OpenIndex index = folder.open(first);
@@ -55,8 +55,8 @@ TEST_F(OpenIndexTest, IsDescribedOnceAndThenRead) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes);
 }
 
-TEST_F(OpenIndexTest, ExcludesShapesWithoutASignature) {
-  test::make_cloud(folder.models() / "T4.off");  // it has D2, but no conventional SDF
+TEST_F(OpenIndexOfAFolder, ExcludesShapesThatTheMethodCannotDescribe) {
+  test::replace_by_cloud(folder.models() / "T4.off");  // it has D2, but no conventional SDF
   IndexUpdate update;
   OpenIndex index = folder.open(update);
   EXPECT_EQ(index.contents.models.size(), 8U);
@@ -73,7 +73,7 @@ TEST_F(OpenIndexTest, ExcludesShapesWithoutASignature) {
   EXPECT_THAT(search(index, queries, {}, {}, none, notes)[0].failure, HasSubstr("needs triangles"));
 }
 
-TEST_F(OpenIndexTest, UpdatesForAddedChangedAndRemovedFiles) {
+TEST_F(OpenIndexOfAFolder, IsUpdatedForAddedChangedAndRemovedFiles) {
   folder.open();
   folder.add("T9.off", "box", 9);
   make_old(folder);
@@ -95,7 +95,7 @@ TEST_F(OpenIndexTest, UpdatesForAddedChangedAndRemovedFiles) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST_F(OpenIndexTest, ANewModificationTimeAloneRecomputesNothing) {
+TEST_F(OpenIndexOfAFolder, RecomputesNoModelsForANewModificationTime) {
   folder.open();
   make_old(folder);
   IndexUpdate update;
@@ -104,7 +104,7 @@ TEST_F(OpenIndexTest, ANewModificationTimeAloneRecomputesNothing) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST_F(OpenIndexTest, ExcludesUnusableModelsAndReportsThemOnce) {
+TEST_F(OpenIndexOfAFolder, ExcludesUnusableModelsAndReportsThemOnce) {
   test::write_text(folder.models() / "T5.off", "OFF\n3 1 0\n0 0 0\n");
   IndexUpdate first;
   const OpenIndex index = folder.open(first);
@@ -121,13 +121,13 @@ TEST_F(OpenIndexTest, ExcludesUnusableModelsAndReportsThemOnce) {
   EXPECT_EQ(folder.open().contents.models.size(), 9U);
 }
 
-TEST_F(OpenIndexTest, NoUsableModelIsAnError) {
+TEST_F(OpenIndexOfAFolder, RejectsACollectionWithoutValidModels) {
   for (int i = 0; i < 9; ++i) test::write_text(folder.models() / ("T" + std::to_string(i) + ".off"), "OFF\n");
   EXPECT_THAT(input_error_of([&] { folder.open(); }), HasSubstr("none of 9 models can be used; the first is T0.off"));
   EXPECT_FALSE(std::filesystem::exists(folder.index()));
 }
 
-TEST_F(OpenIndexTest, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
+TEST_F(OpenIndexOfAFolder, IsRebuiltIfDamagedOrOfAnotherMethod) {
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
   std::string damaged = bytes;
@@ -146,7 +146,7 @@ TEST_F(OpenIndexTest, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
   EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
 }
 
-TEST_F(OpenIndexTest, DoesNotOverwriteOtherFiles) {
+TEST_F(OpenIndexOfAFolder, DoesNotOverwriteFilesThatAreNotIndexes) {
   Cache cache(folder.at("cache"));
   test::write_text(folder.at("notes.txt"), "index");
   for (const std::filesystem::path& file : {folder.at("notes.txt"), folder.models() / "T1.off"}) {
@@ -158,7 +158,7 @@ TEST_F(OpenIndexTest, DoesNotOverwriteOtherFiles) {
   }
 }
 
-TEST_F(OpenIndexTest, BelongsToOneCollectionThatMayMove) {
+TEST_F(OpenIndexOfAFolder, IsBoundToItsCollectionEvenIfMoved) {
   Cache cache(folder.at("cache"));
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
@@ -169,12 +169,12 @@ TEST_F(OpenIndexTest, BelongsToOneCollectionThatMayMove) {
   const auto expected = testing::AllOf(HasSubstr(folder.models().filename().string() + ", none of whose files is in "),
                                        HasSubstr(other.string()), HasSubstr(folder.index().string()));
   EXPECT_THAT(input_error_of([&] { open_index(folder.method(), other, folder.index(), {}, cache, update); }), expected);
-  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method(), other, folder.index()); }), expected);
+  EXPECT_THAT(input_error_of([&] { open_index_without_update(folder.method(), other, folder.index()); }), expected);
   EXPECT_EQ(test::bytes_of(folder.index()), bytes);
 
   std::filesystem::remove_all(other);
   std::filesystem::rename(folder.models(), other);
-  EXPECT_EQ(open_index_as_it_is(folder.method(), other, folder.index()).contents.models.size(), 9U);
+  EXPECT_EQ(open_index_without_update(folder.method(), other, folder.index()).contents.models.size(), 9U);
   EXPECT_EQ(open_index(folder.method(), other, folder.index(), {}, cache, update).contents.models.size(), 9U);
   EXPECT_FALSE(update.rebuilt);
   for (int i = 0; i < 9; ++i) write_off(other / ("T" + std::to_string(i) + ".off"), test::small_shape("box", 20 + i));
@@ -182,18 +182,18 @@ TEST_F(OpenIndexTest, BelongsToOneCollectionThatMayMove) {
   EXPECT_TRUE(update.rebuilt);
 }
 
-TEST_F(OpenIndexTest, WithoutUpdateNeedsNoModels) {
+TEST_F(OpenIndexOfAFolder, IsReadWithoutTheModelsIfNotUpdated) {
   folder.open();
   std::filesystem::remove_all(folder.models());
-  EXPECT_EQ(open_index_as_it_is(folder.method(), folder.models(), folder.index()).contents.models.size(), 9U);
-  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method("d2"), folder.models(), folder.index()); }),
+  EXPECT_EQ(open_index_without_update(folder.method(), folder.models(), folder.index()).contents.models.size(), 9U);
+  EXPECT_THAT(input_error_of([&] { open_index_without_update(folder.method("d2"), folder.models(), folder.index()); }),
               HasSubstr("of another method or program"));
   test::write_text(folder.index(), "nothing");
-  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method(), folder.models(), folder.index()); }),
+  EXPECT_THAT(input_error_of([&] { open_index_without_update(folder.method(), folder.models(), folder.index()); }),
               HasSubstr("is damaged"));
 }
 
-TEST_F(OpenIndexTest, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
+TEST_F(OpenIndexOfAFolder, KeepsTheFileIfAnUpdateIsInterrupted) {
   Cache cache(folder.at("cache"));
   std::atomic<int> asked = 0;
   const RunControl stops{.threads = 1, .interrupted = [&] { return ++asked > 6; }};
@@ -208,7 +208,7 @@ TEST_F(OpenIndexTest, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) 
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST_F(OpenIndexTest, ConcurrentUpdatesLeaveAValidIndex) {
+TEST_F(OpenIndexOfAFolder, StaysValidUnderConcurrentUpdates) {
   std::vector<std::thread> writers;
   for (int i = 0; i < 3; ++i) writers.emplace_back([&] { folder.open(); });
   for (std::thread& writer : writers) writer.join();
@@ -218,7 +218,7 @@ TEST_F(OpenIndexTest, ConcurrentUpdatesLeaveAValidIndex) {
   EXPECT_THAT(update.notes, IsEmpty());
 }
 
-TEST_F(OpenIndexTest, AnswersWithoutAnIndexThatCannotBeWritten) {
+TEST_F(OpenIndexOfAFolder, AnswersQueriesIfTheFileCannotBeWritten) {
   Cache none;
   IndexUpdate update;
   const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("absent") / "index", {}, none, update);

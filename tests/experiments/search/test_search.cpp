@@ -39,7 +39,7 @@ class Search : public testing::Test {
   const SearchedFolder folder;
 };
 
-TEST_F(Search, AMemberHasTheDistancesOfARun) {
+TEST_F(Search, MemberAsQueryHasTheDistancesOfARun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   for (const char* signature : {"own range", "range of all", "both", "bag", "d2", "median", "local"}) {
     SCOPED_TRACE(signature);
@@ -54,7 +54,7 @@ TEST_F(Search, AMemberHasTheDistancesOfARun) {
   }
 }
 
-TEST_F(Search, AReRankedMemberHasTheDistancesOfARun) {
+TEST_F(Search, RerankedMemberAsQueryHasTheDistancesOfARun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   OpenIndex index = folder.open();
   for (Eigen::Index i = 0; i < 9; ++i) {
@@ -63,7 +63,7 @@ TEST_F(Search, AReRankedMemberHasTheDistancesOfARun) {
   }
 }
 
-TEST_F(Search, ACopyOfAMemberFindsItFirst) {
+TEST_F(Search, CopyOfAMemberFindsTheMemberFirst) {
   OpenIndex index = folder.open();
   std::filesystem::copy_file(folder.models() / "T4.off", folder.at("copy.off"));
   const SearchAnswer member = folder.answer(index, folder.models() / "T4.off");
@@ -78,7 +78,7 @@ TEST_F(Search, ACopyOfAMemberFindsItFirst) {
   }
 }
 
-TEST_F(Search, AnExternalQueryHasTheDistancesOfARun) {
+TEST_F(Search, ExternalQueryHasTheDistancesOfARun) {
   OpenIndex index = folder.open("d2");  // features independent of other shapes
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   const SearchAnswer answer = folder.answer(index, folder.at("query.off"));
@@ -99,7 +99,7 @@ TEST_F(Search, AnExternalQueryHasTheDistancesOfARun) {
   EXPECT_EQ(tied.nearest[1].model, 10);
 }
 
-TEST_F(Search, AnExternalQueryIsDiffusedWithTheCollection) {
+TEST_F(Search, ExternalQueryIsRerankedByDiffusionWithTheCollection) {
   OpenIndex index = folder.open();
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   // Input of diffusion: the index' sum between models, and the query's distances without re-ranking.
@@ -118,7 +118,7 @@ TEST_F(Search, AnExternalQueryIsDiffusedWithTheCollection) {
   for (const RankedModel& one : answer.nearest) EXPECT_NEAR(one.distance, expected(9, one.model), 1e-5);
 }
 
-TEST_F(Search, FindsTheClassOfTheQueryFirst) {
+TEST_F(Search, RanksShapesOfTheClassOfTheQueryFirst) {
   OpenIndex index = folder.open();
   const Shape shape = test::small_shape("sphere", 8);
   write_off(folder.at("query.off"), shape);

@@ -15,7 +15,7 @@ using test::SearchedFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
+TEST(SearchMethodOfAConfiguration, MatchesTheRecommendedConfigurationFiles) {
   for (const auto& [recommended, terms] :
        {std::pair(RecommendedMethod::any, 5U), std::pair(RecommendedMethod::articulated, 3U)}) {
     const std::string file = recommended_file(recommended);
@@ -31,17 +31,17 @@ TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
   }
 }
 
-TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {
+TEST(SearchMethodOfAConfiguration, RejectsRankFusionsAndRerankedSignatures) {
   const SearchedFolder folder;
   EXPECT_EQ(folder.method("").name, "local");
-  EXPECT_THAT(input_error_of([&] { folder.method("ranks"); }), HasSubstr("it is a fusion of ranks"));
+  EXPECT_THAT(input_error_of([&] { folder.method("ranks"); }), HasSubstr("it fuses ranks"));
   EXPECT_THAT(input_error_of([&] { folder.method("diffused"); }), HasSubstr("it is re-ranked"));
   EXPECT_THAT(input_error_of([&] { folder.method("locla"); }), HasSubstr("did you mean \"local\"?"));
   EXPECT_EQ(folder.method("local").diffusion.neighbours, (IntegerList{2, 3}));
   EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
 }
 
-TEST(SearchMethodOf, KeyContainsEverythingThatResultsDependOn) {
+TEST(SearchMethodOfAConfiguration, KeyChangesWithEverySettingThatAffectsResults) {
   const SearchedFolder folder;
   const std::string key = folder.method().key();
   nlohmann::json document = folder.configuration();
@@ -73,7 +73,7 @@ std::vector<std::string> term_names(const SearchMethod& method) {
   return names;
 }
 
-TEST(SearchMethodOf, KeepsASignatureWithItsTerms) {
+TEST(SearchMethodOfAConfiguration, ContainsOnlyTheSelectedSignatureAndItsInputs) {
   const SearchedFolder folder;
   const SearchMethod alone = folder.method("d2");
   EXPECT_THAT(kept_signatures(alone), ElementsAre("d2"));
@@ -95,7 +95,7 @@ TEST(SearchMethodOf, KeepsASignatureWithItsTerms) {
   EXPECT_EQ(local.sum.options.weights, SumWeights::agreement);
 }
 
-TEST(SearchMethodOf, ASumOfDerivedDistancesIsAnError) {
+TEST(SearchMethodOfAConfiguration, RejectsASumOfDerivedDistances) {
   const SearchedFolder folder;
   nlohmann::json document = folder.configuration();
   document["signatures"].push_back({{"name", "sum of ranks"}, {"sum", {{{"of", "ranks"}}, {{"of", "d2"}}}}});
@@ -105,7 +105,7 @@ TEST(SearchMethodOf, ASumOfDerivedDistancesIsAnError) {
   EXPECT_NE(input_error_of([&] { search_method(document, "small.json"); }), "no error") << "only derived ones";
 }
 
-TEST(SearchMethodOf, DiffusionIsTheFirstOfTheSignature) {
+TEST(SearchMethodOfAConfiguration, UsesTheSettingsOfTheFirstDiffusionAppliedToTheSignature) {
   const SearchedFolder folder;
   nlohmann::json document = folder.configuration();
   const auto add = [&](const char* name, const char* of, int neighbours) {
@@ -119,7 +119,7 @@ TEST(SearchMethodOf, DiffusionIsTheFirstOfTheSignature) {
   EXPECT_EQ(search_method(document, "small.json", "d2").diffusion.neighbours, IntegerList{});
 }
 
-TEST(SearchMethodOf, AFileIsReadWithOverrides) {
+TEST(SearchMethodOfAConfiguration, IsReadFromAFileWithOverrides) {
   const SearchedFolder folder;
   test::write_text(folder.at("small.json"), folder.configuration().dump());
   const std::vector<std::string> overrides{"signatures.0.histogram.bins=8"};

@@ -15,7 +15,7 @@ MappedBytes in_memory(std::string bytes) {
   return {.memory = kept, .bytes = *kept};
 }
 
-TEST(ShapeIndex, SurvivesARoundTrip) {
+TEST(ShapeIndex, IsDecodedAsEncoded) {
   ShapeIndex index;
   index.collection = "/models";
   index.models = {{.id = "a", .path = "b/a", .bytes = 3, .modified = -4, .sha256 = "12"}};
@@ -52,7 +52,7 @@ TEST(ShapeIndex, SurvivesARoundTrip) {
   EXPECT_EQ(fault, IndexFault::other_method);
 }
 
-TEST(ShapeIndex, TablesStayWhereTheBytesAreUntilTheyAreCopied) {
+TEST(ShapeIndex, ReadsTablesInPlaceUntilTheyAreCopied) {
   ShapeIndex index;
   index.tables.emplace_back(Signatures{{1, 2}});
   const std::string key(64, 'k');
@@ -65,7 +65,7 @@ TEST(ShapeIndex, TablesStayWhereTheBytesAreUntilTheyAreCopied) {
     return byte >= file.bytes.data() && byte < file.bytes.data() + file.bytes.size();
   };
   EXPECT_TRUE(is_within(back->tables[0].entries.get()));
-  keep_in_memory(*back);
+  copy_tables_to_memory(*back);
   EXPECT_FALSE(is_within(back->tables[0].entries.get()));
   EXPECT_EQ(back->tables[0].signatures(), (Signatures{{1, 2}}));
 }

@@ -23,7 +23,7 @@ SegmentationResults results_of(const std::vector<int>& labels, const std::vector
   return results;
 }
 
-TEST(PartConsistency, ComparesSizesFromTheLargestOnAndLeavesCrumbsOutOfTheCount) {
+TEST(PartConsistency, ComparesSortedPartSizesAndIgnoresTinyPartsInCounts) {
   SegmentationResults results = results_of({0, 0, 0}, {{0.6, 0.4}, {0.5, 0.495, 0.005}, {0.7, 0.2, 0.1}});
   results.scores.classes = {"a"};
   // Differences: (0.1 + 0.095 + 0.005) / 2, (0.1 + 0.2 + 0.1) / 2, (0.2 + 0.295 + 0.095) / 2.
@@ -31,7 +31,7 @@ TEST(PartConsistency, ComparesSizesFromTheLargestOnAndLeavesCrumbsOutOfTheCount)
               testing::ElementsAre("m", "a", "2.000", "0.333", fmt::format("{:.3f}", (0.1 + 0.2 + 0.295) / 3), "-"));
 }
 
-TEST(PartConsistency, ComparesClassesWithEachOtherAndTakesTheirMean) {
+TEST(PartConsistency, ComparesShapesWithinClassesAndAveragesOverClasses) {
   const SegmentationResults results = results_of({0, 0, 1}, {{0.5, 0.5}, {0.5, 0.5}, {1.0}});
   const TextTable table = consistency_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
@@ -40,18 +40,18 @@ TEST(PartConsistency, ComparesClassesWithEachOtherAndTakesTheirMean) {
   EXPECT_THAT(table.rows[2], testing::ElementsAre("m", "mean", "1.500", "1.000", "0.000", "0.500"));
 }
 
-TEST(PartConsistency, TheMedianOfAnEvenNumberIsBetweenTheMiddleTwo) {
+TEST(PartConsistency, MedianOfAnEvenCountIsBetweenTheMiddleTwo) {
   const SegmentationResults results = results_of({0, 0}, {{1.0}, {0.4, 0.3, 0.2, 0.1}});
   EXPECT_EQ(consistency_table(results).rows[0][2], "2.500");
 }
 
-TEST(MovedTable, HasARowForEachMethodWithPerturbations) {
+TEST(PerturbationTable, HasOneRowPerMethodWithPerturbations) {
   SegmentationResults results = results_of({0, 0, 0}, {{1.0}, {1.0}, {1.0}});
   for (std::size_t i = 0; i < 3; ++i) results.shapes[i].moved = {std::vector{0.1, 0.5, 0.3}[i]};
-  EXPECT_TRUE(moved_table(results).rows.empty());
+  EXPECT_TRUE(perturbation_effect_table(results).rows.empty());
   results.experiment.methods[0].perturbations.push_back({.values = ParameterValues({})});
-  ASSERT_EQ(moved_table(results).rows.size(), 1U);
-  EXPECT_THAT(moved_table(results).rows[0], testing::ElementsAre("m", "0.300", "0.300", "0.500"));
+  ASSERT_EQ(perturbation_effect_table(results).rows.size(), 1U);
+  EXPECT_THAT(perturbation_effect_table(results).rows[0], testing::ElementsAre("m", "0.300", "0.300", "0.500"));
 }
 
 }  // namespace

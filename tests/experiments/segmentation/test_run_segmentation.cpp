@@ -76,7 +76,7 @@ class SegmentationRun : public test::FolderTest {
   }
 };
 
-TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
+TEST_F(SegmentationRun, ScoresMethodsAndHumanSegmentations) {
   const SegmentationResults results = cut(experiment());
   EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
   EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
@@ -89,7 +89,7 @@ TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   EXPECT_THAT(test::publish(at("results"), results).summary, HasSubstr("the paper"));
 }
 
-TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
+TEST_F(SegmentationRun, ReadsUnchangedSegmentationsFromTheCache) {
   SegmentationExperiment same = experiment();
   same.methods.resize(1);
   const std::filesystem::path place = at("cache");
@@ -106,7 +106,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   EXPECT_EQ(use_of(same).computed, 1U);
 }
 
-TEST(SegmentationVersions, AreThoseOfDiametersSamplesAndThePartModelToo) {
+TEST(SegmentationVersions, IncludeTheVersionsOfSdfsSamplesAndThePartModel) {
   for (const SegmentationAlgorithm algorithm : {SegmentationAlgorithm::best, SegmentationAlgorithm::paper}) {
     const bool paper = algorithm == SegmentationAlgorithm::paper;
     const nlohmann::json versions =
@@ -121,7 +121,7 @@ TEST(SegmentationVersions, AreThoseOfDiametersSamplesAndThePartModelToo) {
   }
 }
 
-TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
+TEST_F(SegmentationRun, WritesTheSameListedFilesOnAnyNumberOfThreads) {
   std::map<std::string, std::string> first;
   for (const int threads : {1, 2}) {
     Cache cache;
@@ -140,7 +140,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
   }
 }
 
-TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
+TEST_F(SegmentationRun, ComparesPerturbedShapesWithTheOriginalShapes) {
   const nlohmann::json removed{{"type", "remove_faces"}, {"fraction", 0.8}};
   const nlohmann::json turned{{"type", "motion"}, {"scale", 3}};
   SegmentationExperiment run =
@@ -157,7 +157,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_EQ(shape.moved[3], 0);  // two clouds, transferred back to the triangles
   EXPECT_EQ(results.scores.errors[1][0].rand_index,
             shape.moved[1]);  // human segmentations equal the best cut: two balls
-  const TextTable table = moved_table(results);
+  const TextTable table = perturbation_effect_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[1][0], "turned");
 
@@ -165,7 +165,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_NE(cut(run).shapes[0].labels[1], shape.labels[1]);
 }
 
-TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHasChanged) {
+TEST_F(SegmentationRun, ReadsUnchangedPerturbedShapesFromTheCache) {
   SegmentationExperiment run =
       experiment({{{"name", "noise"}, {"perturbations", {{{"type", "vertex_noise"}, {"amplitude", 0.01}}}}}});
   const auto computed = [&] {
@@ -208,7 +208,7 @@ constexpr const char* box_of_quads =
     "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"
     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
-TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
+TEST_F(SegmentationRun, WritesOneRowPerPolygonOfTheFile) {
   test::write_text(root() / "off/22.off", box_of_quads);
   for (const char* const person : {"a", "b"}) {
     test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
@@ -220,7 +220,7 @@ TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
   EXPECT_TRUE(results.shapes[2].has_polygons);
 }
 
-TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
+TEST_F(SegmentationRun, StopsAtAnInvalidShapeOrSkipsAndNamesItOnRequest) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));
   SegmentationExperiment run = experiment();
   EXPECT_THAT(test::input_error_of([&] { (void)cut(run); }), HasSubstr("shape 21: "));
@@ -231,7 +231,7 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
 }
 
-TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
+TEST_F(SegmentationRun, TransfersPartsOfPreparedShapesToTheFile) {
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(two_balls(3), {.amplitude = 0.008}, random);
   std::filesystem::create_directories(at("shapes/ball"));
@@ -260,7 +260,7 @@ TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
   EXPECT_EQ(denoised[1], denoised[0]) << "parts do not depend on the scale before the preparation";
 }
 
-TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo) {
+TEST_F(SegmentationRun, NotesCachedShapesThatAreNotPerturbedAsRequested) {
   const SegmentationExperiment run =
       experiment({{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}});
   for (const char* const again : {"computed", "cached"}) {
@@ -273,7 +273,7 @@ TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo
   }
 }
 
-TEST_F(SegmentationRun, NotesOpenShapesFromTheCacheToo) {
+TEST_F(SegmentationRun, NotesShapesWithUnclosedGapsReadFromTheCache) {
   const SegmentationExperiment run =
       experiment({{{"name", "paper"}, {"method", "paper"}, {"field", "offset_sdf"}, {"offset", 0.02}}});
   Shape open = two_balls();
@@ -294,7 +294,7 @@ TEST_F(SegmentationRun, NotesOpenShapesFromTheCacheToo) {
   }
 }
 
-TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
+TEST_F(SegmentationRun, ReportsInputsThatChangedSinceTheReplayedRunBeforeItRuns) {
   const nlohmann::json document{{"name", "balls"},
                                 {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
                                 {"on_error", "skip"},
@@ -320,7 +320,7 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
                                    "the files of 1 model that failed in the recorded run were not recorded"));
 }
 
-TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
+TEST_F(SegmentationRun, ManifestListsTheFileOfClasses) {
   test::write_text(at("shapes/test.cla"), "PSB 1\n1 1\n\nballs 0 1\n0\n");
   write_off(at("shapes/T0.off"), two_balls());
   const auto experiment_on = [&](const nlohmann::json& dataset) {
@@ -343,7 +343,7 @@ TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
   EXPECT_EQ(read_json(folder_.path() / "results" / manifest_name).at("inputs"), inputs) << "as read by the run";
 }
 
-TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
+TEST(SegmentationOfGeneratedShapes, IsScoredAgainstThePartsOfTheGenerator) {
   const TemporaryFolder folder;
   nlohmann::json document = read_json(SHAPEGAUGE_SOURCE_FOLDER "/configs/studies/generated_segmentation.json");
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
@@ -357,7 +357,7 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
             results.scores.mean(1, &SegmentationErrors::rand_index));
 }
 
-TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
+TEST(SegmentationConfiguration, FillsInDefaultsAndIsReadBackAsWritten) {
   for (const char* name : {"paper/psb_segmentation", "paper/table3_segmentation", "studies/generated_segmentation"}) {
     const nlohmann::json document =
         read_json(std::filesystem::path(SHAPEGAUGE_SOURCE_FOLDER "/configs") / (std::string(name) + ".json"));
@@ -368,7 +368,7 @@ TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
   }
 }
 
-TEST(SegmentationConfiguration, RefusesWhatContradictsItself) {
+TEST(SegmentationConfiguration, RejectsDuplicateNamesAndSettingsOfAnotherMethod) {
   const auto error_of = [](const nlohmann::json& methods) {
     const nlohmann::json document{
         {"name", "x"}, {"dataset", {{"generate", {{"classes", 1}}}}}, {"segmentation", methods}};

@@ -57,7 +57,7 @@ TEST(SegmentationReport, ShowsTheLargestErrorsFirstAndTheMedianShapeOfAClass) {
   EXPECT_THAT(page.failures, ElementsAre(std::pair<std::string, std::string>("five", "it is broken")));
 }
 
-TEST(SegmentationReport, AFigureHasAPersonAndEachMethodWithItsError) {
+TEST(SegmentationReport, FigureShowsAHumanSegmentationAndEachMethodWithItsError) {
   const SegmentationResults shown = results();
   const SegmentationFigure figure = segmentation_report(shown).shown.front();
   ASSERT_EQ(figure.pictures.size(), 3U);
@@ -77,7 +77,7 @@ TEST(SegmentationReport, HasTheMeanErrorOfEachMethodByClass) {
   EXPECT_DOUBLE_EQ(page.errors->by_class[1][1], 0.2);
 }
 
-TEST(SegmentationReport, WithoutPeopleOrPicturesTheirPartsAreAbsent) {
+TEST(SegmentationReport, OmitsHumanSegmentationsAndPicturesIfThereAreNone) {
   SegmentationResults shown = results();
   shown.has_people = false;
   for (SegmentedShape& shape : shown.shapes) shape.pictures.erase(shape.pictures.begin());

@@ -38,7 +38,7 @@ SegmentationResults found() {
 
 using WriteSegmentation = test::FolderTest;
 
-TEST_F(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
+TEST_F(WriteSegmentation, WritesAFolderOfPartsPerMethod) {
   test::publish(at("out"), found());
   for (const char* const id : {"1", "two"}) {
     EXPECT_EQ(bytes_of(folder_.path() / "out/parts/best" / (std::string(id) + ".seg")), "0\n1\n1\n");
@@ -51,7 +51,7 @@ TEST_F(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
   EXPECT_EQ(methods.size(), 2U);
 }
 
-TEST_F(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
+TEST_F(WriteSegmentation, ManifestListsOutputsAndInputs) {
   test::publish(at("out"), found());
   const nlohmann::json manifest = nlohmann::json::parse(bytes_of(folder_.path() / "out" / manifest_name));
   EXPECT_EQ(manifest.at("inputs").at("models").at("two"), "hash of two");
@@ -64,7 +64,7 @@ TEST_F(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
   EXPECT_FALSE(manifest.at("outputs").at("files").contains("errors.csv")) << "nobody cut the shapes";
 }
 
-TEST_F(WriteSegmentation, TheSummaryHasARowForEachMethodAndClass) {
+TEST_F(WriteSegmentation, SummaryHasOneRowPerMethodAndClass) {
   const std::string summary = test::publish(folder_.path(), found()).summary;
   for (const char* const word : {"best", "of/the paper", "2.000", "3.000"}) {
     EXPECT_THAT(summary, testing::HasSubstr(word));

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(WeightedQuantile, IsTheLeastValueWithThatShareOfTheWeight) {
+TEST(WeightedQuantile, IsTheSmallestValueThatReachesTheShareOfWeight) {
   const Eigen::VectorXd values = Eigen::Vector4d(7, 1, 5, 3);
   const Eigen::VectorXd once = Eigen::VectorXd::Ones(4);
   EXPECT_EQ(weighted_quantile(values, once, 0.5), 3);
@@ -31,7 +31,7 @@ TEST(WeightedQuantile, IsNaNWithoutValues) {
 
 constexpr double rounding = 1e-5;  // degrees; the cross product of unit vectors is accurate to 1e-15
 
-TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
+TEST(NormalErrors, AreZeroForTheNormalsOfTheTriangles) {
   const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   const NormalErrors errors = normal_errors(TrueNormals(box), samples.points, samples.normals, samples.weights, true);
@@ -39,7 +39,7 @@ TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
   EXPECT_LT(errors.percentile_90, rounding);
 }
 
-TEST(NormalErrors, AreTheAngleByWhichNormalsAreTurned) {
+TEST(NormalErrors, AreTheAnglesToTheTrueNormals) {
   const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   Points turned = samples.normals;
@@ -52,7 +52,7 @@ TEST(NormalErrors, AreTheAngleByWhichNormalsAreTurned) {
   EXPECT_NEAR(errors.median, 5.729578, rounding);
 }
 
-TEST(NormalErrors, ANormalThatPointsTheOtherWayIsWrongIfSidesMatter) {
+TEST(NormalErrors, OfReversedNormalsAre180DegreesOnlyIfSidesMatter) {
   const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   const TrueNormals truth(box);
@@ -61,7 +61,7 @@ TEST(NormalErrors, ANormalThatPointsTheOtherWayIsWrongIfSidesMatter) {
   EXPECT_LT(normal_errors(truth, samples.points, turned, samples.weights, false).median, rounding);
 }
 
-TEST(NormalErrors, IgnoresMissingNormalsAndWeights) {
+TEST(NormalErrors, IgnoreMissingNormalsAndZeroWeights) {
   const Shape box = test::box({3, 2, 1}, 4);
   Samples samples = sample_shape(box, SampleSite::faces);
   samples.normals.row(0).setZero();
@@ -73,7 +73,9 @@ TEST(NormalErrors, IgnoresMissingNormalsAndWeights) {
   EXPECT_TRUE(std::isnan(normal_errors(truth, samples.points, samples.normals, samples.weights, true).mean));
 }
 
-TEST(TrueNormals, ACloudHasNone) { EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), ArgumentError); }
+TEST(TrueNormals, AreRejectedForAPointCloud) {
+  EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), ArgumentError);
+}
 
 /// Ten places on a line with the values 1 to 10.
 PlacedValues line() {
@@ -82,7 +84,7 @@ PlacedValues line() {
   return placed;
 }
 
-TEST(ValueErrors, AreNoneForTheReferenceItself) {
+TEST(ValueErrors, AreZeroForTheReferenceItself) {
   const ValueErrors errors = value_errors(line(), line(), 9);
   EXPECT_EQ(errors.median, 0);
   EXPECT_EQ(errors.percentile_90, 0);
@@ -90,7 +92,7 @@ TEST(ValueErrors, AreNoneForTheReferenceItself) {
   EXPECT_EQ(errors.relative_percentile_90, 0);
 }
 
-TEST(ValueErrors, CompareWithTheNearestSample) {
+TEST(ValueErrors, CompareWithTheNearestReferenceSample) {
   PlacedValues moved = line();
   moved.points.col(0).array() += 0.3;
   moved.points.col(1).array() += 7;
@@ -102,7 +104,7 @@ TEST(ValueErrors, CompareWithTheNearestSample) {
   EXPECT_DOUBLE_EQ(errors.relative_percentile_90, 0.5);
 }
 
-TEST(ValueErrors, AreSharesOfTheDiagonalToThePowerOfTheDimension) {
+TEST(ValueErrors, AreFractionsOfTheDiagonalToThePowerOfTheDimension) {
   const auto median = [](FieldDimension dimension) {
     PlacedValues reference = line();
     reference.dimension = dimension;
@@ -130,7 +132,7 @@ TEST(ValueErrors, RelativeToZeroAreInfiniteOrZero) {
   EXPECT_EQ(value_errors(line(), reference, 9).relative_median, std::numeric_limits<double>::infinity());
 }
 
-TEST(PlacedValues, AreTheExistingValuesInUnitsOfTheFile) {
+TEST(LocatedValues, ExcludeMissingValuesAndUseTheUnitsOfTheFile) {
   Samples samples;
   samples.points = line().points;
   samples.weights = Eigen::VectorXd::Ones(10);
@@ -143,7 +145,7 @@ TEST(PlacedValues, AreTheExistingValuesInUnitsOfTheFile) {
   EXPECT_EQ(placed.points(2, 0), 6);
 }
 
-TEST(PlacedValues, AreScaledByTheirDimension) {
+TEST(LocatedValues, AreScaledByTheirDimension) {
   Samples samples;
   samples.points = line().points;
   samples.weights = Eigen::VectorXd::Ones(10);

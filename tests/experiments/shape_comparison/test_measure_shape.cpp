@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// A cache with the shapes of a comparison: a reference in a file of its own, a copy of another file, and a noisy one.
-class MeasureThroughCache : public test::FolderTest {
+class ComparisonsThroughCache : public test::FolderTest {
  protected:
   void SetUp() override {
     test::write_sphere(at("sphere.off"));
@@ -50,7 +50,7 @@ class MeasureThroughCache : public test::FolderTest {
   std::vector<std::string> warnings;
 };
 
-TEST_F(MeasureThroughCache, APerturbedShapeDependsOnTheSeedAndOnItsNameAndPlace) {
+TEST_F(ComparisonsThroughCache, RecomputePerturbedShapesForAnotherSeedNameOrIndex) {
   document["seed"] = 7;
   EXPECT_EQ(misses(), 1U);
   document["shapes"][0]["perturbations"][0]["amplitude"] = 0.02;
@@ -61,7 +61,7 @@ TEST_F(MeasureThroughCache, APerturbedShapeDependsOnTheSeedAndOnItsNameAndPlace)
   EXPECT_EQ(misses(), 1U);
 }
 
-TEST_F(MeasureThroughCache, AllDependOnTheReference) {
+TEST_F(ComparisonsThroughCache, RecomputeAllShapesForAnotherReference) {
   write_off(at("reference.off"), test::sphere(11, 3));
   EXPECT_EQ(misses(), 3U);
   document["shapes"][1]["perturbations"] = {{{"type", "remove_faces"}, {"fraction", 0.1}}};
@@ -75,7 +75,7 @@ TEST_F(MeasureThroughCache, AllDependOnTheReference) {
   EXPECT_EQ(misses(), 3U);
 }
 
-TEST_F(MeasureThroughCache, AnotherFileIsMeasured) {
+TEST_F(ComparisonsThroughCache, RecomputeAShapeOnlyIfItsFileContentsChange) {
   test::write_sphere(at("moved.off"));
   document["shapes"][2]["file"] = "moved.off";
   EXPECT_EQ(misses(), 0U) << "the same bytes";
@@ -83,7 +83,7 @@ TEST_F(MeasureThroughCache, AnotherFileIsMeasured) {
   EXPECT_EQ(misses(), 1U);
 }
 
-TEST_F(MeasureThroughCache, AllDependOnThePreparationFieldsAndHistograms) {
+TEST_F(ComparisonsThroughCache, RecomputeAllShapesIfPreparationFieldsOrHistogramsChange) {
   document["preparation"] = {{"denoise", true}};
   EXPECT_EQ(misses(), 3U);
   document["signatures"][0]["field"]["offset"] = 0.04;
@@ -96,12 +96,12 @@ TEST_F(MeasureThroughCache, AllDependOnThePreparationFieldsAndHistograms) {
   EXPECT_EQ(misses(), 3U);
 }
 
-TEST_F(MeasureThroughCache, RunTimesAreStoredPerNumberOfThreads) {
+TEST_F(ComparisonsThroughCache, StoreRunTimesPerNumberOfThreads) {
   EXPECT_EQ(misses(2), 3U);
   EXPECT_EQ(misses(2), 0U);
 }
 
-TEST_F(MeasureThroughCache, LaterComputationsChangeNothing) {
+TEST_F(ComparisonsThroughCache, RecomputeNoShapesIfOnlyNamesChange) {
   document["name"] = "other";
   document["signatures"][0]["name"] = "other";
   document["shapes"][2]["name"] = "other";
@@ -109,7 +109,7 @@ TEST_F(MeasureThroughCache, LaterComputationsChangeNothing) {
   EXPECT_EQ(misses(), 0U);
 }
 
-TEST_F(MeasureThroughCache, GeneratedShapesAreKnownByTheirDescription) {
+TEST_F(ComparisonsThroughCache, IdentifyGeneratedShapesByTheirDescription) {
   document["shapes"][2].erase("file");
   document["shapes"][2]["generate"] = {{"class", "bracket"}, {"faces", 1000}};
   EXPECT_EQ(misses(), 1U);
@@ -118,7 +118,7 @@ TEST_F(MeasureThroughCache, GeneratedShapesAreKnownByTheirDescription) {
   EXPECT_EQ(misses(), 1U);
 }
 
-TEST_F(MeasureThroughCache, DamagedRecordsAreComputedAgain) {
+TEST_F(ComparisonsThroughCache, RecomputeDamagedEntries) {
   const std::vector<CacheFile> entries = cache_files(at("cache"));
   ASSERT_EQ(entries.size(), 3U);
   test::write_text(entries[0].path, test::text_of(entries[0].path).substr(0, 1000));

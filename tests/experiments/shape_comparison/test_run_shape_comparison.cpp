@@ -44,7 +44,7 @@ TEST_F(RunComparison, NotesShapesThatAreNotPerturbedAsRequested) {
   EXPECT_THAT(test::publish(at("notes"), run()).notes, testing::IsEmpty());
 }
 
-TEST_F(RunComparison, AShapeHasDistanceZeroFromItself) {
+TEST_F(RunComparison, IdenticalShapesHaveDistanceZero) {
   const ShapeComparisonResults results = run();
   ASSERT_EQ(results.shapes.size(), 3U);
   EXPECT_EQ(results.shapes[2].name, "again");
@@ -64,7 +64,7 @@ TEST_F(RunComparison, AShapeHasDistanceZeroFromItself) {
   }
 }
 
-TEST_F(RunComparison, NoiseMakesErrorsInTheReferencesUnits) {
+TEST_F(RunComparison, NoisyShapeHasErrorsInUnitsOfTheReference) {
   const ShapeComparisonResults results = run();
   for (const FieldMeasurement& field : results.shapes[0].fields) {
     // The noise is 1 % of the diagonal on either side of a diameter of 58 % of it.
@@ -74,7 +74,7 @@ TEST_F(RunComparison, NoiseMakesErrorsInTheReferencesUnits) {
   }
 }
 
-TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
+TEST_F(RunComparison, DimensionlessFieldIsUnaffectedByTheAreaThatNoiseAdds) {
   // A heat kernel that is 1 everywhere. Noise makes the area larger, which is scaled to 1 again.
   Json changed = document();
   changed["shapes"][0]["perturbations"][0]["amplitude"] = 0.03;
@@ -87,7 +87,7 @@ TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
   EXPECT_NEAR(results.shapes[0].fields[0].errors->percentile_90, 0, 1e-6);
 }
 
-TEST_F(RunComparison, NormalsAreMeasuredAgainstTheReferencesTriangles) {
+TEST_F(RunComparison, NormalErrorsAreAnglesToTheNormalsOfTheReference) {
   const ShapeComparisonResults results = run();
   const FieldMeasurement& noisy = results.shapes[0].fields[0];
   const FieldMeasurement& clean = results.shapes[1].fields[0];
@@ -98,7 +98,7 @@ TEST_F(RunComparison, NormalsAreMeasuredAgainstTheReferencesTriangles) {
   EXPECT_GT(noisy.own_normals->percentile_90, noisy.own_normals->median);
 }
 
-TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
+TEST_F(RunComparison, WritesTheSameBytesOnAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
     RunControl control;
     control.threads = threads;
@@ -131,7 +131,7 @@ TEST_F(RunComparison, UnregisteredShapesHaveNoErrors) {
   EXPECT_TRUE(fs::exists(at("out") / "timings.csv"));
 }
 
-TEST_F(RunComparison, AnUnusableShapeStopsTheRunOrIsSkipped) {
+TEST_F(RunComparison, StopsAtAnInvalidShapeOrSkipsItOnRequest) {
   write_text(at("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   Json changed = document();
   changed["shapes"][2]["file"] = "flat.off";
@@ -148,7 +148,7 @@ TEST_F(RunComparison, AnUnusableShapeStopsTheRunOrIsSkipped) {
   EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("it is the reference"));
 }
 
-TEST_F(RunComparison, ASecondRunMeasuresNothing) {
+TEST_F(RunComparison, SecondRunReadsAllResultsFromTheCache) {
   Cache first(at("cache"));
   test::publish(at("first"), run(document(), {.threads = 2}, first));
   Cache second(at("cache"));
@@ -170,7 +170,7 @@ TEST_F(RunComparison, ASecondRunMeasuresNothing) {
   }
 }
 
-TEST_F(RunComparison, AnInterruptedRunContinuesFromTheCache) {
+TEST_F(RunComparison, ContinuesFromTheCacheAfterAnInterruption) {
   Json longer = document();
   longer["shapes"].push_back(
       {{"name", "fewer"}, {"file", "sphere.off"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}});
@@ -191,14 +191,14 @@ TEST_F(RunComparison, AnInterruptedRunContinuesFromTheCache) {
   EXPECT_EQ(test::results_in(at("continued")), test::results_in(at("alone")));
 }
 
-TEST_F(RunComparison, AnInterruptionStopsIt) {
+TEST_F(RunComparison, StopsIfInterrupted) {
   std::atomic<int> asked = 0;
   RunControl control;
   control.interrupted = [&] { return ++asked > 2; };
   EXPECT_THROW(static_cast<void>(run(document(), control)), Interrupted);
 }
 
-TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
+TEST_F(RunComparison, ComparesACloudWithAMesh) {
   Json changed = document();
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
   changed["signatures"].erase(1);
@@ -211,7 +211,7 @@ TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
 }
 
 /// The orientation of normals of an unoriented cloud is arbitrary: compares lines only.
-TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
+TEST_F(RunComparison, SideOfNormalsStoredInACloudCountsAsError) {
   Json changed = document();
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
   changed["signatures"].erase(1);
@@ -220,7 +220,7 @@ TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
   EXPECT_LT(results.shapes[0].fields[0].own_normals->percentile_90, 8);
 }
 
-TEST(GeneratedComparison, RunsWithoutData) {
+TEST(ShapeComparisonOfGeneratedShapes, NeedsNoShapeFiles) {
   const fs::path file = SHAPEGAUGE_SOURCE_FOLDER "/configs/studies/generated_comparison.json";
   Json document = read_json(file);
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());

@@ -61,7 +61,7 @@ class WriteShapeComparison : public test::FolderTest {
   ShapeComparisonResults results_;
 };
 
-TEST_F(WriteShapeComparison, DistancesAreFromTheReference) {
+TEST_F(WriteShapeComparison, WritesDistancesFromTheReference) {
   write();
   EXPECT_EQ(row("distances.csv", "first", "other").at("reference"), "true");
   EXPECT_THAT(test::csv_numbers(row("distances.csv", "first", "other"), {"l1"}), ElementsAre(1.5));
@@ -69,7 +69,7 @@ TEST_F(WriteShapeComparison, DistancesAreFromTheReference) {
   EXPECT_THAT(test::csv_numbers(row("distances.csv", "second", "true"), {"l1"}), ElementsAre(0));
 }
 
-TEST_F(WriteShapeComparison, ErrorsAndNormalsAreOfTheFieldsThatHaveThem) {
+TEST_F(WriteShapeComparison, WritesFieldErrorsAndNormalErrorsOnlyWhereTheyExist) {
   write();
   EXPECT_THAT(test::csv_numbers(row("errors.csv", "second", "other"),
                                 {"samples", "missing", "median_of_diagonal", "percentile_90_of_diagonal",
@@ -84,7 +84,7 @@ TEST_F(WriteShapeComparison, ErrorsAndNormalsAreOfTheFieldsThatHaveThem) {
   EXPECT_EQ(test::csv_records(out("normals.csv")).size(), 1U);
 }
 
-TEST_F(WriteShapeComparison, HistogramsHaveTheBoundsOfTheirBins) {
+TEST_F(WriteShapeComparison, WritesHistogramsWithTheBoundsOfBins) {
   write();
   const auto bin = [&](const char* signature, const char* shape, const char* number) {
     return test::csv_numbers(
@@ -98,14 +98,14 @@ TEST_F(WriteShapeComparison, HistogramsHaveTheBoundsOfTheirBins) {
   EXPECT_THAT(bin("second", "true", "3"), ElementsAre(0.75, 1, 1));
 }
 
-TEST_F(WriteShapeComparison, TimesAreByShapeAndSample) {
+TEST_F(WriteShapeComparison, WritesRunTimesPerShapeAndSample) {
   write();
   EXPECT_THAT(test::csv_numbers(row("timings.csv", "second", "other"),
                                 {"read_seconds", "build_seconds", "query_seconds", "microseconds_per_sample"}),
               ElementsAre(1.5, 0.001, 0.003, 100));
 }
 
-TEST_F(WriteShapeComparison, UnregisteredShapesHaveNoErrors) {
+TEST_F(WriteShapeComparison, WritesNoErrorsForUnregisteredShapes) {
   write();
   results_.comparison.registered = false;
   write();
@@ -114,7 +114,7 @@ TEST_F(WriteShapeComparison, UnregisteredShapesHaveNoErrors) {
   EXPECT_FALSE(std::filesystem::exists(out("normals.csv")));
 }
 
-TEST_F(WriteShapeComparison, ManifestHasInputsAndFailures) {
+TEST_F(WriteShapeComparison, ManifestListsInputsAndFailures) {
   results_.failures = {{.id = "gone", .message = "it is broken"}};
   write();
   const auto manifest = nlohmann::json::parse(test::text_of(out("manifest.json")));

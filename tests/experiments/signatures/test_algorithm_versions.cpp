@@ -58,9 +58,9 @@ struct Recorded {
 
 void PrintTo(const Recorded& recorded, std::ostream* stream) { *stream << recorded.settings; }
 
-class FieldVersions : public testing::TestWithParam<Recorded> {};
+class RecordedFieldVersions : public testing::TestWithParam<Recorded> {};
 
-TEST_P(FieldVersions, ChangeWithTheValues) {
+TEST_P(RecordedFieldVersions, MatchTheRecordedValues) {
   const Field field = read_field(GetParam().settings);
   EXPECT_EQ(nlohmann::json(field.versions), GetParam().versions);
   const std::vector<Shape> all = shapes();
@@ -78,7 +78,7 @@ TEST_P(FieldVersions, ChangeWithTheValues) {
 }
 
 /// Between crossing arms many samples are covered by other parts of the offset solid; on the shapes above hardly any.
-TEST(OffsetSdfVersion, ChangesWithTheValuesOfCoveredSamples) {
+TEST(OffsetSdfVersion, MatchesTheRecordedValuesOfTwoCrossingCapsules) {
   const Shape arm = test::capsule(0.2, 2, 16, 6);
   const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
   const PreparedShape prepared = prepare_shape(crossing, {});
@@ -163,9 +163,9 @@ void expect_records(const std::vector<std::string>& names, const Records& record
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, FieldVersions, testing::ValuesIn(field_records));
+INSTANTIATE_TEST_SUITE_P(Each, RecordedFieldVersions, testing::ValuesIn(field_records));
 
-TEST(FieldRecords, ExistForEachType) { expect_records(field_types().names(), field_records); }
+TEST(RecordedFieldValues, ExistForEachFieldType) { expect_records(field_types().names(), field_records); }
 
 /// Statistics of a descriptor on the three shapes: per shape, the sum of features and the sum weighted by position,
 /// counted from 1, over their number; and the distances between the first shape and the others.
@@ -177,7 +177,7 @@ struct RecordedDescriptor {
 
 void PrintTo(const RecordedDescriptor& recorded, std::ostream* stream) { *stream << recorded.settings; }
 
-class DescriptorVersions : public testing::TestWithParam<RecordedDescriptor> {};
+class RecordedDescriptorVersions : public testing::TestWithParam<RecordedDescriptor> {};
 
 std::vector<double> numbers_of(const DescriptorChoice& choice) {
   std::vector<PreparedShape> prepared;
@@ -210,7 +210,7 @@ std::vector<double> numbers_of(const DescriptorChoice& choice) {
   return numbers;
 }
 
-TEST_P(DescriptorVersions, ChangeWithTheValues) {
+TEST_P(RecordedDescriptorVersions, MatchTheRecordedValues) {
   const DescriptorChoice choice = make_descriptor(GetParam().settings);
   EXPECT_EQ(choice.descriptor.version, GetParam().version);
   const std::vector<double> found = numbers_of(choice);
@@ -261,11 +261,11 @@ const std::vector<RecordedDescriptor> descriptor_records{
         3,
         {683.257275, 476.282503, 594.60766, 412.353933, 1061.55727, 719.259699, 25.8085216, 27.9393965}}};
 
-INSTANTIATE_TEST_SUITE_P(Each, DescriptorVersions, testing::ValuesIn(descriptor_records));
+INSTANTIATE_TEST_SUITE_P(Each, RecordedDescriptorVersions, testing::ValuesIn(descriptor_records));
 
-TEST(DescriptorRecords, ExistForEachDescriptor) { expect_records(descriptors().names(), descriptor_records); }
+TEST(RecordedDescriptorValues, ExistForEachDescriptor) { expect_records(descriptors().names(), descriptor_records); }
 
-TEST(HistogramVersion, ChangesWithTheHistograms) {
+TEST(HistogramVersion, MatchesTheRecordedHistograms) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),
                           .weights = Eigen::VectorXd::LinSpaced(40, 1, 2)};
   EXPECT_EQ(histogram_version, 2);
@@ -309,7 +309,7 @@ const std::vector<RecordedMeasure> measure_records{{"NN", 1, 0.375},
                                                    {"mAP@N", 1, 0.489930555556},
                                                    {"nDCG@N", 1, 0.642023556961}};
 
-TEST(MeasureVersions, ChangeWithTheValues) {
+TEST(MeasureVersions, MatchTheRecordedValuesOfMeasures) {
   const std::vector<double> places{0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9, 5.6, 2.6};
   const std::vector<int> labels{0, 0, 0, 1, 1, 1, 1, 0, 2};
   const DistanceMatrix distances = DistanceMatrix::NullaryExpr(9, 9, [&](Eigen::Index i, Eigen::Index j) {
@@ -327,7 +327,7 @@ TEST(MeasureVersions, ChangeWithTheValues) {
   }
 }
 
-TEST(DistancesVersion, ChangesWithTheDistances) {
+TEST(DistancesVersion, MatchesTheRecordedDistances) {
   Signatures signatures(3, 37);
   for (Eigen::Index i = 0; i < signatures.size(); ++i) signatures.data()[i] = 1.0F / static_cast<float>(i + 3);
   EXPECT_EQ(distances_version, 2);

@@ -35,7 +35,7 @@ Uses uses_of(const ExperimentResults& results) {
 
 /// Runs over the small data set with two more fields: one of the offset surface that chooses its offset, at places of
 /// the surface, and a conventional one at vertices. In all: 9 shapes, 3 fields each, 6 distance matrices.
-class DescribeThroughCache : public test::FolderTest {
+class RunsThroughCache : public test::FolderTest {
  protected:
   void SetUp() override { test::write_small_dataset(data()); }
 
@@ -79,7 +79,7 @@ class DescribeThroughCache : public test::FolderTest {
 const Uses all_computed{{"shape", {0, 9}}, {"field", {0, 27}}, {"distances", {0, 6}}};
 const Uses all_taken{{"shape", {9, 0}}, {"field", {27, 0}}, {"distances", {6, 0}}};
 
-TEST_F(DescribeThroughCache, ASecondRunComputesNothingAndWritesTheSameBytes) {
+TEST_F(RunsThroughCache, ReuseAllResultsOfAnEarlierRunAndWriteTheSameBytes) {
   const auto fresh = fresh_files(document());
   EXPECT_GT(fresh.size(), 12U);
   const ExperimentResults cold = run(document());
@@ -92,7 +92,7 @@ TEST_F(DescribeThroughCache, ASecondRunComputesNothingAndWritesTheSameBytes) {
   }
 }
 
-TEST_F(DescribeThroughCache, AnyPartOfTheCacheGivesTheSameBytes) {
+TEST_F(RunsThroughCache, WriteTheSameBytesWithAPartialCache) {
   const auto fresh = fresh_files(document());
   run(document());
   for (const EntryKind kind : {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::distances,
@@ -111,7 +111,7 @@ TEST_F(DescribeThroughCache, AnyPartOfTheCacheGivesTheSameBytes) {
   EXPECT_EQ(files_of(run(document())), fresh);
 }
 
-TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
+TEST_F(RunsThroughCache, DrawPicturesFromCachedValues) {
   for (const char* signature : {"fixed", "offset", "nine rays"}) {
     SCOPED_TRACE(signature);
     Json pictured = document();
@@ -127,7 +127,7 @@ TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
   }
 }
 
-TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
+TEST_F(RunsThroughCache, MakeViewsOnceFromCachedValues) {
   const ExperimentResults first = run(document());
   ASSERT_EQ(first.views.size(), 9U);
   ASSERT_EQ(first.viewed.size(), 3U) << "one a field";
@@ -144,7 +144,7 @@ TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
   EXPECT_EQ(views.computed, 0U);
 }
 
-TEST_F(DescribeThroughCache, NoViewsIfDisabledOrWithoutPictures) {
+TEST_F(RunsThroughCache, MakeNoViewsIfDisabledOrWithoutPictures) {
   for (const char* setting : {"views", "pictures"}) {
     Json without = document();
     without["report"][setting] = false;
@@ -153,7 +153,7 @@ TEST_F(DescribeThroughCache, NoViewsIfDisabledOrWithoutPictures) {
   }
 }
 
-TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {
+TEST_F(RunsThroughCache, ReportAnAutomaticOffsetReadFromTheCache) {
   Json chosen = document();
   chosen["signatures"][4]["field"]["offset"] = "auto";
   run(chosen);
@@ -163,7 +163,7 @@ TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {
   EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
 
-TEST_F(DescribeThroughCache, OtherBinsRangesAndSmoothingNeedNoField) {
+TEST_F(RunsThroughCache, ReuseFieldsForOtherBinsRangesAndSmoothing) {
   run(document());
   Json changed = document();
   changed["signatures"][0]["histogram"]["range"]["fixed"] = {0, 0.5};
@@ -175,7 +175,7 @@ TEST_F(DescribeThroughCache, OtherBinsRangesAndSmoothingNeedNoField) {
   EXPECT_EQ(files_of(results), fresh_files(changed));
 }
 
-TEST_F(DescribeThroughCache, AnotherSignatureIsTheOnlyOneComputed) {
+TEST_F(RunsThroughCache, ComputeOnlyAnAddedSignature) {
   Json fewer = document();
   fewer["signatures"].erase(5);
   run(fewer);
@@ -185,7 +185,7 @@ TEST_F(DescribeThroughCache, AnotherSignatureIsTheOnlyOneComputed) {
   EXPECT_EQ(files_of(results), fresh_files(document()));
 }
 
-TEST_F(DescribeThroughCache, AChangedModelIsTheOnlyOneComputed) {
+TEST_F(RunsThroughCache, ComputeOnlyAChangedModel) {
   run(document());
   write_text(data() / "T4.off", text_of(data() / "T7.off") + "\n");
   const ExperimentResults results = run(document());
@@ -194,14 +194,14 @@ TEST_F(DescribeThroughCache, AChangedModelIsTheOnlyOneComputed) {
   EXPECT_EQ(files_of(results), fresh_files(document()));
 }
 
-TEST_F(DescribeThroughCache, RecomputingIgnoresTheCache) {
+TEST_F(RunsThroughCache, RecomputeAllResultsOnRequest) {
   run(document());
   Cache anew(cache(), true);
   EXPECT_EQ(uses_of(run(document(), anew)), all_computed);
   EXPECT_EQ(uses_of(run(document())), all_taken);
 }
 
-TEST_F(DescribeThroughCache, PerturbedModelsHaveOwnEntries) {
+TEST_F(RunsThroughCache, StorePerturbedModelsSeparately) {
   Json noisy = document();
   noisy["perturbations"] = Json::parse(R"([{"type": "one_of", "assign": "in_turn", "choices": [
       [], [{"type": "vertex_noise", "amplitude": 0.01}]]}])");
@@ -213,7 +213,7 @@ TEST_F(DescribeThroughCache, PerturbedModelsHaveOwnEntries) {
   EXPECT_EQ(files_of(warm), fresh_files(noisy));
 }
 
-TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
+TEST_F(RunsThroughCache, ReportTheFailuresOfTheEarlierRunAgain) {
   Json skipping = document();
   skipping["on_error"] = "skip";
   // A file that is no shape; a flat triangle without a conventional SDF.
@@ -234,7 +234,7 @@ TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
   EXPECT_THAT(test::input_error_of([&] { run(document()); }), HasSubstr("model 3: "));
 }
 
-TEST_F(DescribeThroughCache, RecomputesDamagedEntries) {
+TEST_F(RunsThroughCache, RecomputeDamagedEntries) {
   const auto fresh = fresh_files(document());
   run(document());
   std::size_t i = 0;

@@ -22,7 +22,7 @@ std::vector<Perturbation> noise(double amplitude) {
   return make_perturbations({{{"type", "vertex_noise"}, {"amplitude", amplitude}}});
 }
 
-TEST(CacheKeys, AShapeDependsOnItsBytesAndFormatButNotOnItsPath) {
+TEST(CacheKeys, OfAShapeDependOnItsBytesAndFormatButNotOnItsPath) {
   const Configuration plain;
   const std::string key = key_of_shape(source, plain);
   EXPECT_EQ(key.size(), 64U);
@@ -31,7 +31,7 @@ TEST(CacheKeys, AShapeDependsOnItsBytesAndFormatButNotOnItsPath) {
   EXPECT_NE(key, key_of_shape({.sha256 = "abc", .file = "data/T1.txt", .id = "1", .index = 1}, plain));
 }
 
-TEST(CacheKeys, AShapeDependsOnThePreparation) {
+TEST(CacheKeys, OfAShapeDependOnItsPreparation) {
   std::set<std::string> keys;
   for (const bool denoise : {false, true}) {
     for (const ScaleEstimate scale : {ScaleEstimate::area, ScaleEstimate::tube_area}) {
@@ -43,7 +43,7 @@ TEST(CacheKeys, AShapeDependsOnThePreparation) {
   EXPECT_EQ(keys.size(), 4U);
 }
 
-TEST(CacheKeys, APerturbedShapeDependsOnTheSeedAndTheModelToo) {
+TEST(CacheKeys, OfAPerturbedShapeDependOnTheSeedAndTheModel) {
   Configuration configuration;
   configuration.seed = 2;
   EXPECT_EQ(key_of_shape(source, configuration), key_of_shape(source, Configuration{})) << "nothing is drawn";
@@ -58,7 +58,7 @@ TEST(CacheKeys, APerturbedShapeDependsOnTheSeedAndTheModelToo) {
   EXPECT_EQ(keys.size(), 6U);
 }
 
-TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
+TEST(CacheKeys, OfAFieldDependOnItsSettingsAndVersion) {
   std::set<std::string> keys;
   for (const nlohmann::json& settings :
        {nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}},
@@ -76,7 +76,7 @@ TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
   EXPECT_EQ(keys.size(), 18U);
 }
 
-TEST(CacheKeys, KeyOfAComparedShapeChangesWithEveryInput) {
+TEST(CacheKeys, OfAComparedShapeDependOnEveryInput) {
   const std::vector<HistogramConfiguration> histograms{
       {.options = {.bins = 80}, .range = HistogramRange::per_shape, .fixed = {}},
       {.options = {.bins = 81}, .range = HistogramRange::per_shape, .fixed = {}},
@@ -95,7 +95,7 @@ TEST(CacheKeys, KeyOfAComparedShapeChangesWithEveryInput) {
   EXPECT_EQ(keys.size(), 30U);
 }
 
-TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
+TEST(CacheKeys, OfAPictureDependOnItsFieldAndOptions) {
   const Eigen::Vector3d up(0, 0, 1);
   std::set<std::string> keys{picture_key("field", {}, up), picture_key("other field", {}, up)};
   keys.insert(picture_key("field", {.range = {.low = 0, .high = 0.5}}, up));
@@ -107,7 +107,7 @@ TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
   EXPECT_EQ(keys.size(), 3U);
 }
 
-TEST(CacheKeys, DistancesDependOnTheSignaturesAndTheirSize) {
+TEST(CacheKeys, OfDistancesDependOnTheSignaturesAndTheirSize) {
   Signatures signatures{{0, 1, 2}, {3, 4, 5}};
   std::set<std::string> keys{distances_key(signatures, "l1"), distances_key(signatures, "l2")};
   const Signatures other_size{{0, 1}, {2, 3}, {4, 5}};

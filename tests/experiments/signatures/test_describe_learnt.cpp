@@ -101,7 +101,7 @@ float feature_of(const DescribedModels& models, std::size_t index) {
 
 const std::map<std::size_t, float> five_values{{0, 1}, {2, 2}, {3, 4}, {7, 8}, {9, 10}};
 
-TEST(DescribeLearnt, LearnsFromAllModelsAndDescribesEach) {
+TEST(DescribeWithCodebook, LearnsFromAllModelsAndDescribesEach) {
   DescribedModels models = models_of(five_values);
   const Outcome outcome = described(models, mean_configuration());
   EXPECT_TRUE(outcome.failures.empty());
@@ -112,7 +112,7 @@ TEST(DescribeLearnt, LearnsFromAllModelsAndDescribesEach) {
   EXPECT_EQ(models.at(3).features[0].features[0], 77) << "others stay";
 }
 
-TEST(DescribeLearnt, ModelsWithoutTheFieldAreIgnored) {
+TEST(DescribeWithCodebook, IgnoresModelsWithoutTheField) {
   DescribedModels models = models_of({{0, 1}, {1, -1}, {2, 3}});
   const Outcome outcome = described(models, mean_configuration(OnError::skip));
   EXPECT_EQ(outcome.learnt[1], (LearntFeatures{{2, 2}}));
@@ -121,7 +121,7 @@ TEST(DescribeLearnt, ModelsWithoutTheFieldAreIgnored) {
   EXPECT_EQ(feature_of(models, 2), 1);
 }
 
-TEST(DescribeLearnt, LearnsWithoutModelsThatCannotBeDescribed) {
+TEST(DescribeWithCodebook, SkipsModelsThatCannotBeDescribedOnRequest) {
   const std::map<std::size_t, float> values{{0, 1}, {1, 500}, {2, 3}, {5, 200}};
   DescribedModels models = models_of(values);
   const Outcome outcome = described(models, mean_configuration(OnError::skip));
@@ -133,7 +133,7 @@ TEST(DescribeLearnt, LearnsWithoutModelsThatCannotBeDescribed) {
   }
 }
 
-TEST(DescribeLearnt, TheFirstModelThatCannotBeDescribedStops) {
+TEST(DescribeWithCodebook, StopsAtTheFirstModelThatCannotBeDescribed) {
   DescribedModels models = models_of({{0, 1}, {1, 3}, {2, 500}});
   const Outcome outcome = described(models, mean_configuration(OnError::stop));
   ASSERT_EQ(outcome.failures.size(), 1U);
@@ -141,7 +141,7 @@ TEST(DescribeLearnt, TheFirstModelThatCannotBeDescribedStops) {
   EXPECT_THAT(outcome.failures[0].message, testing::HasSubstr("too large"));
 }
 
-TEST(DescribeLearnt, RejectsAnEmptyCollection) {
+TEST(DescribeWithCodebook, RejectsAnEmptyCollection) {
   DescribedModels none;
   EXPECT_THROW(described(none, mean_configuration()), InputError);
   DescribedModels without_field = models_of({{0, -1}});
@@ -150,7 +150,7 @@ TEST(DescribeLearnt, RejectsAnEmptyCollection) {
   EXPECT_THROW(described(all_fail, mean_configuration(OnError::skip)), InputError);
 }
 
-TEST(DescribeLearnt, ReusesResultsOfTheSameModels) {
+TEST(DescribeWithCodebook, ReusesCachedResultsOnlyForAnUnchangedCollection) {
   const test::TemporaryFolder folder;
   const auto run = [&](const std::map<std::size_t, float>& values) {
     Cache cache(folder.path() / "cache");
@@ -169,7 +169,7 @@ TEST(DescribeLearnt, ReusesResultsOfTheSameModels) {
   EXPECT_EQ(run(fewer), std::pair(1, std::size_t{0})) << "all features depend on what is learnt";
 }
 
-TEST(DescribeLearnt, StopsWhenInterrupted) {
+TEST(DescribeWithCodebook, StopsWhenInterrupted) {
   DescribedModels models = models_of(five_values);
   const Configuration configuration = mean_configuration();
   Cache none;

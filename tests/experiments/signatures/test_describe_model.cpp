@@ -18,7 +18,7 @@ SignatureConfiguration signature(const nlohmann::json& field, HistogramRange ran
           .parts = {}};
 }
 
-TEST(DistinctFields, EqualSettingsAreOneFieldWhetherWrittenOutOrNot) {
+TEST(DistinctFields, MergeEqualSettingsWithAndWithoutDefaults) {
   const std::vector<SignatureConfiguration> signatures{
       signature({{"type", "cone_sdf"}}, HistogramRange::fixed),
       signature({{"type", "cone_sdf"}, {"rays", 26}}, HistogramRange::per_shape),
@@ -33,7 +33,7 @@ TEST(DistinctFields, EqualSettingsAreOneFieldWhetherWrittenOutOrNot) {
   EXPECT_EQ(first_histogram_of(read_field({{"type", "cone_sdf"}, {"rays", 27}}), signatures), std::nullopt);
 }
 
-TEST(DescribeField, KeepsValuesOnlyForARangeOverAllShapes) {
+TEST(DescribeField, KeepsValuesOnlyIfTheHistogramRangeIsThatOfTheDataSet) {
   const StoredField field{
       .range = {.low = 0.25, .high = 1}, .outcomes = {}, .offset = {}, .values = Eigen::Vector3d(0.25, 0.5, 1)};
   for (const HistogramRange range : {HistogramRange::per_shape, HistogramRange::dataset}) {

@@ -27,14 +27,14 @@ TEST(DistancesThroughCache, AreComputedOnce) {
   EXPECT_EQ(use_of(second).computed, 1U);
 }
 
-TEST(DistancesThroughCache, LargeMatricesAreNotStored) {
+TEST(DistancesThroughCache, AreNotStoredForLargeMatrices) {
   const test::TemporaryFolder folder;
   Cache cache(folder.path() / "cache");
   distances_through_cache(Signatures::Random(max_models_of_cached_distances + 1, 1), distances().at("l1"), cache);
   EXPECT_EQ(cache_contents(folder.path() / "cache").total().entries, 0U);
 }
 
-TEST(DistancesThroughCache, WithoutACacheAreComputed) {
+TEST(DistancesThroughCache, AreComputedWithoutACache) {
   Cache none;
   const Signatures signatures = Signatures::Random(4, 5);
   EXPECT_EQ(distances_through_cache(signatures, distances().at("l1"), none), distance_matrix(signatures));

@@ -39,7 +39,7 @@ TEST(ModelPicture, HasTheRequestedSizeAndATransparentBackground) {
   EXPECT_EQ(image.pixels[static_cast<std::size_t>(4 * (image.height / 2 * image.width + image.width / 2)) + 3], 255);
 }
 
-TEST(ModelPicture, EqualValuesHaveEqualColoursForEverySampling) {
+TEST(ModelPicture, ShowsEqualValuesInEqualColoursForEverySampling) {
   const Shape sphere = test::sphere(1, 4);
   const Image faces = decoded(picture_of(sphere, SampleSite::faces, 0.1));
   for (const SampleSite site : {SampleSite::vertices, SampleSite::surface}) {
@@ -50,7 +50,7 @@ TEST(ModelPicture, EqualValuesHaveEqualColoursForEverySampling) {
   }
 }
 
-TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
+TEST(ModelPicture, ShowsLargeValuesYellowSmallValuesPurpleAndMissingValuesGrey) {
   const Shape sphere = test::sphere(1, 3);
   const auto colour = [&](double value) {
     const Image image = decoded(picture_of(sphere, SampleSite::faces, value));
@@ -66,18 +66,18 @@ TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
   EXPECT_NEAR(none[0], none[2], 1e-9);
 }
 
-TEST(ModelPicture, ShowsClouds) {
+TEST(ModelPicture, ShowsPointClouds) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 800, 1);
   EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
 }
 
-TEST(ModelPicture, OfACloudOfWhichSomePointsAreSampled) {
+TEST(ModelPicture, ShowsACloudWithASubsetOfPointsSampled) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
   EXPECT_NEAR(mean_channel(decoded(picture_of(cloud, SampleSite::surface, 0.3)), 0),
               mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.3)), 0), 12);
 }
 
-TEST(ModelPicture, TheRequestedAxisPointsUp) {
+TEST(ModelPicture, ShowsTheRequestedAxisUpright) {
   const Shape pillar = test::box({1, 1, 4}, 1);
   const Samples samples = sample_shape(pillar, SampleSite::faces);
   /// Covered rows of the middle column.

@@ -34,7 +34,7 @@ TEST(ModelView, HasAtMostTheRequestedFacesAndTheRangeOfTheField) {
   }
 }
 
-TEST(ModelView, KeepsSmallMeshes) {
+TEST(ModelView, KeepsSmallMeshesUnchanged) {
   const Shape box = test::box({1, 2, 3}, 2);
   const Samples samples = sample_shape(box, SampleSite::vertices);
   const ordered_json view = view_of(box, samples.points.col(0), samples, 200);
@@ -43,7 +43,7 @@ TEST(ModelView, KeepsSmallMeshes) {
   EXPECT_EQ(view["fields"][0]["high"], samples.points.col(0).maxCoeff());
 }
 
-TEST(ModelView, TheMoreModelsTheFewerFacesEachHas) {
+TEST(ModelView, HasFewerFacesForMoreModels) {
   EXPECT_EQ(faces_of_views(1), faces_of_views(60));
   EXPECT_EQ(faces_of_views(600), 400);
   EXPECT_GT(faces_of_views(100), faces_of_views(300));

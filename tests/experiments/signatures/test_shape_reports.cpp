@@ -25,11 +25,11 @@ TEST(DiagnosticsJson, NamesEveryDiagnostic) {
   EXPECT_DOUBLE_EQ(json["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
-TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
+TEST(DiagnosticsJson, ContainsNoNanForAnEmptyShape) {
   EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
 }
 
-TEST(PerturbationNote, CountsTheShapesAndNamesTheFirst) {
+TEST(PerturbationNote, CountsAffectedShapesAndNamesTheFirst) {
   std::vector<std::vector<std::string>> remarks(3);
   const std::vector<std::string> names{"a", "b", "c"};
   EXPECT_EQ(note_on_shapes(names, remarks, "model", not_perturbed), "");
@@ -54,7 +54,7 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
   return model;
 }
 
-TEST(ReportFields, CountsAndAddsOverTheModels) {
+TEST(FieldSummary, SumsSampleCountsAndRunTimesOverAllModels) {
   const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
   const ModelDescription open = model_with_gaps(0.6, 0.05);
   const ModelDescription wide = model_with_gaps(0.6, 0.07);
@@ -101,7 +101,7 @@ std::string cell(const TextTable& table, std::size_t row, const std::string& col
                                      : table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin()));
 }
 
-TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
+TEST(ShapesTable, ContainsDiagnosticsAndSampleOutcomesOfEachModel) {
   const Results results = two_models();
   const TextTable table = shapes_table(results.models, results.classes, results.shapes, {}, results.fields);
   ASSERT_EQ(table.rows.size(), 2U);
@@ -117,14 +117,14 @@ TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
   EXPECT_EQ(cell(table, 1, "offset_sdf accuracy=standard at=faces offset=0.05: undecided"), "1");
 }
 
-TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
+TEST(ShapeSecondsTable, ContainsTheRunTimeOfEachField) {
   const Results results = two_models();
   const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
   EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf accuracy=standard at=faces offset=0.05"}));
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
 }
 
-TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
+TEST(ShapeSecondsTable, ContainsTheRunTimeOfEachDescriptor) {
   Results results = two_models();
   SignatureConfiguration& signature = results.signatures.emplace_back();
   signature.name = "SH";
@@ -137,7 +137,7 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
   EXPECT_EQ(table.rows[1].back(), "2.000000");
 }
 
-TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
+TEST(FieldsJson, CountsSampleOutcomesAndModelsWithUnclosedGaps) {
   const std::vector<FieldReport> fields{
       {.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.01}}).settings,
        .outcomes = {{"total", 7}, {"missing", 2}},
@@ -152,7 +152,7 @@ TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
   EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", to_json(fields[1].settings)}, {"samples", {{"total", 8}}}}));
 }
 
-TEST(ExecutionJson, HasThreadsTimesAndTheUseOfTheCache) {
+TEST(ExecutionJson, ContainsThreadsTimesAndCacheUse) {
   const std::vector<std::pair<std::string, double>> timings{{"dataset", 0.5}, {"signatures", 2.0}};
   const nlohmann::ordered_json execution = execution_json(3, timings, two_models().fields, {});
   EXPECT_EQ(execution["threads"], 3);

@@ -35,7 +35,7 @@ ModelDescription model_without_field() {
   return model;
 }
 
-TEST(AssembleSignatures, ConcatenatesInTheGivenOrder) {
+TEST(AssembleSignatures, ConcatenatesTermsInTheGivenOrder) {
   ModelDescription model;
   model.fields.resize(1);
   model.features = {{.features = Eigen::VectorXf{{0.25F, 0.75F}}}, {.features = Eigen::VectorXf{{1.0F}}}, {}};
@@ -47,7 +47,7 @@ TEST(AssembleSignatures, ConcatenatesInTheGivenOrder) {
   EXPECT_EQ(tables[2], (Signatures{{0.5F, 0.125F, 0.375F}}));
 }
 
-TEST(AssembleSignatures, AModelWithoutASignatureHasARowOfNotANumber) {
+TEST(AssembleSignatures, GivesAModelWithoutASignatureARowOfNan) {
   const std::vector<SignatureConfiguration> signatures{histogram_of("two", {{"type", "cone_sdf"}}, 2)};
   ModelDescription with;
   with.fields.resize(1);
@@ -62,7 +62,7 @@ TEST(AssembleSignatures, AModelWithoutASignatureHasARowOfNotANumber) {
   EXPECT_EQ(assemble_signatures({&without}, fields, signatures, {})[0].cols(), 0);
 }
 
-TEST(FieldRanges, EncloseTheModelsThatHaveTheField) {
+TEST(FieldRanges, EncloseTheValuesOfModelsThatHaveTheField) {
   const ModelDescription low = model_with_range({.low = -1, .high = 2});
   const ModelDescription high = model_with_range({.low = 0, .high = 5});
   ModelDescription none = model_without_field();
@@ -73,7 +73,7 @@ TEST(FieldRanges, EncloseTheModelsThatHaveTheField) {
   EXPECT_EQ(ranges[0].high, 5);
 }
 
-TEST(HistogramRanges, AreOfTheShapeTheDataSetOrFixed) {
+TEST(HistogramRanges, AreTheRangeOfTheShapeOfTheDataSetOrAFixedOne) {
   const ModelDescription low = model_with_range({.low = -1, .high = 2});
   const ModelDescription high = model_with_range({.low = 0, .high = 5});
   const auto highs = [&](HistogramRange range) {

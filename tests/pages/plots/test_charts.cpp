@@ -30,7 +30,7 @@ std::vector<DrawnPath> lines_of(const Drawing& drawing, std::size_t points) {
   return lines;
 }
 
-TEST(Axis, TicksAreRoundAndWithin) {
+TEST(ChartAxis, TicksAreRoundNumbersWithinTheRange) {
   EXPECT_THAT(axis_ticks({.low = 0, .high = 1}, 5),
               ElementsAre(DoubleEq(0), DoubleEq(0.2), DoubleEq(0.4), DoubleEq(0.6), DoubleEq(0.8), DoubleEq(1)));
   EXPECT_THAT(axis_ticks({.low = 3.2, .high = 8.9}, 3), ElementsAre(DoubleEq(4), DoubleEq(6), DoubleEq(8)));
@@ -39,19 +39,19 @@ TEST(Axis, TicksAreRoundAndWithin) {
   EXPECT_THAT(axis_ticks({.low = 2, .high = 2}), ElementsAre(2));
 }
 
-TEST(Axis, LabelsAreDistinct) {
+TEST(ChartAxis, TickLabelsAreDistinct) {
   EXPECT_THAT(tick_labels({0, 0.05, 0.1}), ElementsAre("0", "0.05", "0.1"));
   EXPECT_THAT(tick_labels({1.9955, 1.996, 1.9965}), ElementsAre("1.9955", "1.996", "1.9965"));
   EXPECT_THAT(tick_labels({-1e-18, 20000, 40000}), ElementsAre("0", "2e+04", "4e+04"));
   EXPECT_THAT(tick_labels({1.0 / 3}), ElementsAre("0.3333"));
 }
 
-TEST(Axis, PartsAreLinearOrLogarithmic) {
+TEST(ChartAxis, MapsValuesLinearlyOrLogarithmically) {
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 2, .high = 6}.part(3)), 0.25);
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 1, .high = 10000, .logarithmic = true}.part(10)), 0.25);
 }
 
-TEST(MethodLook, MatchesTheReportAndIsDistinct) {
+TEST(MethodStyle, HasTheColoursOfReportsAndIsDistinctPerMethod) {
   EXPECT_EQ(method_look(0).colour, method_colour(0));
   EXPECT_THAT(method_look(0).dashes, ElementsAre());
   EXPECT_THAT(method_look(1).dashes, ElementsAre(7, 3));
@@ -60,7 +60,7 @@ TEST(MethodLook, MatchesTheReportAndIsDistinct) {
   EXPECT_EQ(looks.size(), 21U);
 }
 
-TEST(CurveChart, DrawsEachCurveWhereItsValuesAre) {
+TEST(CurveChart, DrawsEachCurveAtItsValues) {
   const Drawing drawing =
       draw_chart({.title = "Both",
                   .x = {.label = "Recall"},
@@ -79,7 +79,7 @@ TEST(CurveChart, DrawsEachCurveWhereItsValuesAre) {
   EXPECT_NE(curves[0].stroke, curves[1].stroke);
 }
 
-TEST(BarChart, BarsAreAsLongAsTheirValues) {
+TEST(BarChart, DrawsBarsInProportionToTheirValues) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const Drawing drawing =
       draw_chart({.x = {.label = "nn (%)", .low = 0, .high = 100},
@@ -97,7 +97,7 @@ TEST(BarChart, BarsAreAsLongAsTheirValues) {
   EXPECT_TRUE(texts_of(drawing).contains("cups"));
 }
 
-TEST(HistogramChart, MarksAValue) {
+TEST(HistogramChart, MarksTheThresholdWithItsLabel) {
   const Drawing drawing = draw_chart({.x = {.label = "thickness (mm)", .low = 0, .high = 4},
                                       .histograms = {{"hand", {0.25, 0.75}}},
                                       .mark = 1,
@@ -106,7 +106,7 @@ TEST(HistogramChart, MarksAValue) {
   EXPECT_TRUE(texts_of(drawing).contains("80"));  // with room above the bars for the label
 }
 
-TEST(ColourBar, ShowsTheThresholdsColourBelowIt) {
+TEST(ColourBar, ShowsTheThresholdColourBelowTheThreshold) {
   const Drawing drawing = draw_chart(
       {.axis = {.label = "mm", .low = 0, .high = 4}, .height = 128, .below = 1.0, .below_colour = {255, 0, 0}});
   int red = 0;

@@ -24,7 +24,7 @@ std::array<int, 4> pixel(const Image& image, int x, int y) {
   return {image.pixels[first], image.pixels[first + 1], image.pixels[first + 2], image.pixels[first + 3]};
 }
 
-TEST(Drawing, SvgHasPathsDashesAndTextAsText) {
+TEST(Drawing, SvgContainsPathsDashesAndText) {
   const std::string svg = to_svg(small_drawing());
   EXPECT_NE(svg.find("viewBox=\"0 0 40 20\""), std::string::npos);
   EXPECT_NE(svg.find("<path d=\"M0 0L20 0L20 20L0 20Z\" fill=\"#ff0000\"/>"), std::string::npos);
@@ -45,7 +45,7 @@ TEST(Drawing, PngHasTheColoursOfTheDrawing) {
   EXPECT_EQ(to_image(drawing, 3).width, 120);
 }
 
-TEST(Drawing, PdfIsTheSameEachTime) {
+TEST(Drawing, PdfIsReproducible) {
   const std::string pdf = to_pdf(small_drawing());
   EXPECT_TRUE(pdf.starts_with("%PDF-1.4"));
   EXPECT_NE(pdf.find("MediaBox [ 0 0 40 20 ]"), std::string::npos);
@@ -62,7 +62,7 @@ TEST(Drawing, SelectsTheFormatByExtension) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.eps"));
 }
 
-TEST(Drawing, TextWidthsCountLettersNotBytes) {
+TEST(Drawing, TextWidthsCountCharactersAndNotBytes) {
   EXPECT_DOUBLE_EQ(estimated_text_width("\xc3\xa4\xc3\xb6", 10), estimated_text_width("ao", 10));
   EXPECT_GT(estimated_text_width("mm", 10), estimated_text_width("ii", 10));
 }

@@ -44,7 +44,7 @@ TEST(Codebook, FindsTheCentresOfClusters) {
   }
 }
 
-TEST(Codebook, SameBytesOnAnyNumberOfThreadsAndAnotherForAnotherSeed) {
+TEST(Codebook, DependsOnTheSeedAndNotOnTheNumberOfThreads) {
   RandomNumbers random(3);
   std::vector<ScalarField> fields(2, {Eigen::VectorXd(5000), Eigen::VectorXd::Ones(5000)});
   for (ScalarField& field : fields) {
@@ -60,14 +60,14 @@ TEST(Codebook, SameBytesOnAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   EXPECT_NE(one, on(1, 2));
 }
 
-TEST(Codebook, HasFewerWordsWhereThereAreFewerDifferentSamples) {
+TEST(Codebook, HasNoMoreWordsThanDistinctSamples) {
   const std::vector<ScalarField> fields(2, {Eigen::VectorXd::Ones(100), Eigen::VectorXd::Ones(100)});
   const Codebook found = codebook_of({fields}, {.words = 5});
   EXPECT_EQ(found.words.rows(), 1);
   EXPECT_EQ(bag_of_features(fields, found, {.words = 5}), (Eigen::VectorXf::Unit(5, 0)));
 }
 
-TEST(Codebook, StandardisedFieldsDoNotDependOnTheirUnits) {
+TEST(Codebook, DoesNotDependOnTheUnitsOfStandardisedFields) {
   const std::vector<ScalarField> fields = clustered(corners, 1);
   std::vector<ScalarField> other = fields;
   other[1].values *= 1024;
@@ -76,7 +76,7 @@ TEST(Codebook, StandardisedFieldsDoNotDependOnTheirUnits) {
             bag_of_features(other, codebook_of({other}, options), options));
 }
 
-TEST(BagOfFeatures, CountsTheWeightNearestToEachWord) {
+TEST(BagOfFeatures, SumsTheWeightOfSamplesNearestToEachWord) {
   std::vector<ScalarField> fields = clustered(corners, 1);
   for (ScalarField& field : fields) field.weights.head(50).setConstant(3);
   const BagOfFeaturesOptions options = {.words = 3};
@@ -100,7 +100,7 @@ TEST(BagOfFeatures, SoftAssignmentSplitsSamplesBetweenWords) {
   EXPECT_NEAR(bag_of_features(at(1e6), two, options).sum(), 1, 1e-6);
 }
 
-TEST(BagOfFeatures, SamplesWithoutAllValuesDoNotCount) {
+TEST(BagOfFeatures, IgnoresSamplesWithMissingValues) {
   std::vector<ScalarField> fields = clustered(corners, 1);
   const BagOfFeaturesOptions options = {.words = 3};
   const Codebook words = codebook_of({fields}, options);
@@ -110,7 +110,7 @@ TEST(BagOfFeatures, SamplesWithoutAllValuesDoNotCount) {
   EXPECT_EQ(found, (Eigen::Vector3f{0, 0.5F, 0.5F}));
 }
 
-TEST(BagOfFeatures, AsADescriptorItLearnsAndDescribes) {
+TEST(BagOfFeatures, IsAvailableAsADescriptorThatLearns) {
   const std::vector<ScalarField> fields = clustered(corners, 1);
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, fields}};
@@ -122,7 +122,7 @@ TEST(BagOfFeatures, AsADescriptorItLearnsAndDescribes) {
             bag_of_features(fields, codebook_of({fields}, options), options));
 }
 
-TEST(BagOfFeatures, RejectsInvalidInput) {
+TEST(BagOfFeatures, RejectsZeroWordsMissingFieldsAndZeroWeights) {
   const std::vector<ScalarField> fields = clustered(corners, 1);
   const BagOfFeaturesOptions options = {.words = 3};
   const Codebook words = codebook_of({fields}, options);
@@ -136,7 +136,7 @@ TEST(BagOfFeatures, RejectsInvalidInput) {
   EXPECT_THROW(codebook_of({nothing}, options), ArgumentError);
 }
 
-TEST(Codebook, SamplesAtMidpointsOfEqualShares) {
+TEST(Codebook, UsesSamplesAtMidpointsOfEqualWeightFractions) {
   // Of four samples of equal weight the second and the fourth begin beyond a quarter and three quarters of it.
   const std::vector<ScalarField> fields = {{Eigen::Vector4d(10, 20, 30, 40), Eigen::Vector4d::Ones()}};
   Eigen::MatrixXf words = codebook_of({fields}, {.words = 2, .standardise = false, .samples_per_shape = 2}).words;
@@ -144,7 +144,7 @@ TEST(Codebook, SamplesAtMidpointsOfEqualShares) {
   EXPECT_EQ(words, Eigen::Vector2f(20, 40));
 }
 
-TEST(Codebook, ScalesAreStandardDeviations) {
+TEST(Codebook, ScalesOfFieldsAreStandardDeviations) {
   const std::vector<ScalarField> fields = {{Eigen::Vector2d(0, 6), Eigen::Vector2d::Ones()}};
   const Codebook found = codebook_of({fields}, {.words = 2, .standardise = true, .samples_per_shape = 2});
   EXPECT_FLOAT_EQ(found.scales[0], 3);

@@ -44,7 +44,7 @@ TEST(CylinderMap, MatchesTheProfileOfASphere) {
   });
 }
 
-TEST(CylinderMap, BoxShowsItsNearestSide) {
+TEST(CylinderMap, OfABoxGivesTheDistanceToItsNearestSide) {
   const Eigen::Vector3d size(1, 2, 4);
   for (const int axis : {0, 1, 2}) {
     const CylinderFrame frame = {.axis = axis, .radius = 5, .angles = 100, .heights = 33};
@@ -60,7 +60,7 @@ TEST(CylinderMap, BoxShowsItsNearestSide) {
   }
 }
 
-TEST(CylinderMap, EllipsoidShowsItsSection) {
+TEST(CylinderMap, OfAnEllipsoidMatchesItsSection) {
   Shape ellipsoid = test::sphere(1, 6);
   ellipsoid.vertices.col(0) *= 2;
   ellipsoid.vertices.col(2) *= 3;
@@ -72,7 +72,7 @@ TEST(CylinderMap, EllipsoidShowsItsSection) {
   });
 }
 
-TEST(CylinderMap, TheOutermostSurfaceWithinTheCylinderCounts) {
+TEST(CylinderMap, UsesTheOutermostSurfaceWithinTheCylinder) {
   const CylinderFrame frame = {.radius = 1.1, .angles = 64, .heights = 16};
   const CylinderMap outer = project_on_cylinder(test::sphere(1, 3), frame);
   const CylinderMap both = project_on_cylinder(test::joined({test::sphere(0.5, 3), test::sphere(1, 3)}), frame);
@@ -81,7 +81,7 @@ TEST(CylinderMap, TheOutermostSurfaceWithinTheCylinderCounts) {
   EXPECT_EQ(project_on_cylinder(test::sphere(3, 3), frame).distance.maxCoeff(), 0);
 }
 
-TEST(CylinderMap, OrientationAndOrderDoNotMatter) {
+TEST(CylinderMap, DoesNotDependOnTheOrientationAndOrderOfFaces) {
   const Shape shape = test::transformed(test::torus(1, 0.3, 24, 12), 1, test::rotation(1), {0.1, 0.2, 0.3});
   const CylinderFrame frame = {.radius = 2};
   const CylinderMap expected = project_on_cylinder(shape, frame);

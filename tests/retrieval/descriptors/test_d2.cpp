@@ -13,7 +13,7 @@ double distance_of_d2(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(D2, SphereHasItsDistanceDensity) {
+TEST(D2Descriptor, OfASphereMatchesItsDistanceDensity) {
   const Eigen::VectorXf found = d2(test::sphere(2, 4), {.points = 2000, .bins = 30, .longest = 1.5});
   // The fraction of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
   for (Eigen::Index bin = 0; bin < found.size(); ++bin) {
@@ -23,7 +23,7 @@ TEST(D2, SphereHasItsDistanceDensity) {
   }
 }
 
-TEST(D2, DoesNotChangeWithMotionScaleAndMesh) {
+TEST(D2Descriptor, HardlyChangesWithMotionScaleAndMeshing) {
   const Shape shape = test::box({1, 2, 3}, 4);
   const Eigen::VectorXf expected = d2(shape);
   EXPECT_LT(distance_of_d2(d2(test::transformed(shape, 5, test::rotation(1), {1, 2, 3})), expected), 1e-3);
@@ -34,13 +34,13 @@ TEST(D2, DoesNotChangeWithMotionScaleAndMesh) {
   EXPECT_GT(other_shape, 3 * other_mesh);
 }
 
-TEST(D2, CloudsAreDescribedByTheirPoints) {
+TEST(D2Descriptor, UsesThePointsOfClouds) {
   const Shape ball = test::sphere(1, 4);
   EXPECT_LT(distance_of_d2(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
 }
 
 /// Pairs are weighted by the areas of their points.
-TEST(D2, DoesNotDependOnTheDensityOfACloud) {
+TEST(D2Descriptor, DoesNotDependOnTheDensityOfACloud) {
   // Two plates, 4 apart: three quarters of the points are on the first, each with a third of the weight.
   const auto plate = [](Eigen::Index points, double z, std::uint64_t seed) {
     const Shape square{Points{{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
@@ -55,7 +55,7 @@ TEST(D2, DoesNotDependOnTheDensityOfACloud) {
   EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.15);
 }
 
-TEST(D2, RejectsOptionsOutOfRangeAndSinglePositions) {
+TEST(D2Descriptor, RejectsOptionsOutOfRangeAndSinglePositions) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(d2(ball, {.points = 1}), InputError);
   EXPECT_THROW(d2(ball, {.bins = 0}), InputError);

@@ -30,7 +30,7 @@ TEST(Descriptors, HaveUniqueNamesAndValidDefaults) {
   }
 }
 
-TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
+TEST(Descriptors, DescribeAShapeAtDistanceZeroFromItself) {
   const Shape shape = test::capsule(0.3, 1, 16, 16);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields = {{samples.points.col(0), samples.weights},
@@ -46,7 +46,7 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
   }
 }
 
-TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
+TEST(Descriptors, RejectNonFiniteFeatures) {
   const Shape shape = test::sphere(1, 1);
   Descriptor broken = descriptors().at("d2");
   const auto features = [&] { return compute_features(broken, {shape, {}}, {}, default_settings(broken)); };
@@ -61,7 +61,7 @@ TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
   EXPECT_THROW(features(), InputError);
 }
 
-TEST(Descriptors, SettingsHaveAnEffect) {
+TEST(Descriptors, ChangeWithEachOfTheirSettings) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptors().at("d2");
   DescriptorSettings settings = default_settings(one);
@@ -69,7 +69,7 @@ TEST(Descriptors, SettingsHaveAnEffect) {
   EXPECT_EQ(one.describe({shape, {}}, {}, settings), d2(shape, {.bins = 10}));
 }
 
-TEST(Descriptors, RejectUnknownOptionsAndNames) {
+TEST(Descriptors, RejectOptionsOutOfRangeAndUnknownNames) {
   const Shape shape = test::sphere(1, 1);
   EXPECT_THROW(d2(shape, {.bins = 0}), InputError);
   EXPECT_THROW(d2(shape, {.longest = std::nan("")}), InputError);
@@ -84,7 +84,7 @@ TEST(Descriptors, RejectIncompleteEntries) {
   EXPECT_EQ(descriptors().find("test_without_distance"), nullptr);
 }
 
-TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
+TEST(Descriptors, RefuseToDescribeBeforeLearning) {
   const Shape shape = test::sphere(1, 1);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields(2, {samples.points.col(0), samples.weights});
@@ -99,7 +99,7 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 
-TEST(DescriptorDistances, MatchEachPair) {
+TEST(DescriptorDistances, OfAMatrixMatchThoseOfEachPair) {
   Signatures features{{0, 0}, {1, 2}, {4, 0}};
   const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);
   EXPECT_EQ(matrix, (DistanceMatrix{{0, 3, 4}, {3, 0, 5}, {4, 5, 0}}));
@@ -107,7 +107,7 @@ TEST(DescriptorDistances, MatchEachPair) {
   EXPECT_THROW(descriptor_distances(descriptors().at("d2"), features), InputError);
 }
 
-TEST(FeatureDistance, IsADistanceOrThatOfADescriptor) {
+TEST(FeatureDistance, IsFoundByTheNameOfADistanceOrADescriptor) {
   EXPECT_EQ(feature_distance("chi2").function, distances().at("chi2").function);
   for (const Descriptor& one : descriptors().entries())
     EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);

@@ -15,17 +15,17 @@ namespace shapegauge {
 namespace {
 
 class DescriptorsOfDoubledTriangles : public testing::TestWithParam<test::NamedShape> {};
-INSTANTIATE_TEST_SUITE_P(Shapes, DescriptorsOfDoubledTriangles, testing::ValuesIn(test::shapes_without_doubles()));
+INSTANTIATE_TEST_SUITE_P(Shapes, DescriptorsOfDoubledTriangles, testing::ValuesIn(test::shapes_without_duplicates()));
 
 template <typename Describe>
 void expect_same(const Shape& shape, Describe describe) {
   const Eigen::VectorXf expected = describe(shape);
-  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+  for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(shape)) {
     EXPECT_TRUE(describe(doubled.shape) == expected) << doubled.name;
   }
 }
 
-TEST_P(DescriptorsOfDoubledTriangles, MatchTheMeshWithoutDoubles) {
+TEST_P(DescriptorsOfDoubledTriangles, MatchThoseOfTheMeshWithoutDuplicates) {
   expect_same(GetParam().shape, [](const Shape& shape) { return d2(shape, {.points = 100}); });
   expect_same(GetParam().shape, [](const Shape& shape) { return light_field(shape, {.pixels = 32}); });
   expect_same(GetParam().shape,
@@ -34,7 +34,7 @@ TEST_P(DescriptorsOfDoubledTriangles, MatchTheMeshWithoutDoubles) {
   expect_same(GetParam().shape, [](const Shape& shape) { return panorama(shape); });
 }
 
-TEST_P(DescriptorsOfDoubledTriangles, MatchTheVoxelisedMeshWithoutDoubles) {
+TEST_P(DescriptorsOfDoubledTriangles, MatchThoseOfTheVoxelisedMeshWithoutDuplicates) {
   expect_same(GetParam().shape, [](const Shape& shape) {
     return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5, .voxels = true});
   });

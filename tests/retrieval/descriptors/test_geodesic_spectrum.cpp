@@ -20,7 +20,7 @@ Eigen::VectorXf spectrum_of(const Shape& shape) {
   return geodesic_spectrum(source);
 }
 
-TEST(DominantEigenvalues, AreTheLargestOfAllBySize) {
+TEST(DominantEigenvalues, AreTheEigenvaluesOfLargestMagnitude) {
   const Eigen::MatrixXd random = Eigen::MatrixXd::Random(300, 300);
   const Eigen::MatrixXd symmetric = random + random.transpose();
   const auto all = eigen_decomposition(symmetric, Eigen::EigenvaluesOnly);
@@ -48,12 +48,12 @@ TEST(GeodesicSpectrum, ChangesNeitherWithScaleNorWithMotion) {
   EXPECT_LT((spectrum_of(shape) - spectrum_of(other)).cwiseAbs().mean(), 0.03);
 }
 
-TEST(GeodesicSpectrum, TakesClouds) {
+TEST(GeodesicSpectrum, DescribesClouds) {
   const Shape shape = test::capsule(0.3, 2, 24, 30);
   EXPECT_LT((spectrum_of(shape) - spectrum_of(test::random_points(shape, 10000, 1))).cwiseAbs().mean(), 0.05);
 }
 
-TEST(GeodesicSpectrum, PadsMissingEigenvaluesWithTheLastOne) {
+TEST(GeodesicSpectrum, RepeatsTheLastEigenvalueForMissingEigenvalues) {
   const Eigen::VectorXf found =
       spectrum_of({.vertices = (Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), .triangles = {}});
   // Two points of equal area at a distance: eigenvalues of either sign and the same size.

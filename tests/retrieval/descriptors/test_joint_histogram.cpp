@@ -43,7 +43,7 @@ TEST(JointHistogram, OfIndependentFieldsIsTheProductOfTheirHistograms) {
   }
 }
 
-TEST(JointHistogram, SumsOverAnAxisAreTheOtherFieldsHistogram) {
+TEST(JointHistogram, SummedOverAnAxisIsTheHistogramOfTheOtherField) {
   std::vector<ScalarField> fields(3);
   for (std::size_t k = 0; k < 3; ++k) fields[k] = {random_values(200, k + 1), random_values(200, 9)};
   fields[1].values = fields[0].values.cwiseAbs2();  // not independent
@@ -59,7 +59,7 @@ TEST(JointHistogram, SumsOverAnAxisAreTheOtherFieldsHistogram) {
   }
 }
 
-TEST(JointHistogram, SquareRootsAreTakenLast) {
+TEST(JointHistogram, SquareRootOptionGivesTheRootsOfThePlainHistogram) {
   const std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 7, .smoothing_bins = 1.5}, {.bins = 5}};
   const Eigen::VectorXf roots = joint_histogram(fields, axes, {.square_roots = true});
@@ -76,7 +76,7 @@ TEST(JointHistogram, DividedByTheMeanIsScaleInvariant) {
   EXPECT_NE(joint_histogram(fields, axes), before);
 }
 
-TEST(JointHistogram, PerShapeTheRangeIsTheShapesOwn) {
+TEST(JointHistogram, UsesTheRangeOfEachShapeIfPerShape) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 8, .per_shape = true}, {.bins = 8}};
   const Eigen::VectorXf before = joint_histogram(fields, axes);
@@ -87,7 +87,7 @@ TEST(JointHistogram, PerShapeTheRangeIsTheShapesOwn) {
   EXPECT_EQ(joint_histogram(fields, fixed), joint_histogram(fields, axes));
 }
 
-TEST(JointHistogram, SamplesWithoutAllValuesDoNotCount) {
+TEST(JointHistogram, IgnoresSamplesWithMissingValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<ScalarField> fields = {{Eigen::Vector3d(0.1, nan, 0.9), Eigen::Vector3d(1, 5, 3)},
                                      {Eigen::Vector3d(0.1, 0.1, 0.9), Eigen::Vector3d(1, 5, 3)}};
@@ -97,7 +97,7 @@ TEST(JointHistogram, SamplesWithoutAllValuesDoNotCount) {
   EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0, 0, 0, 1}));
 }
 
-TEST(JointHistogram, ValuesBeyondTheRangeCountInTheOuterBins) {
+TEST(JointHistogram, CountsValuesBeyondTheRangeInTheOuterBins) {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<ScalarField> fields = {{Eigen::Vector2d(-infinity, 7), Eigen::Vector2d(1, 1)},
                                            {Eigen::Vector2d(infinity, -1), Eigen::Vector2d(1, 1)}};
@@ -105,7 +105,7 @@ TEST(JointHistogram, ValuesBeyondTheRangeCountInTheOuterBins) {
   EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0, 0.5F, 0.5F, 0}));
 }
 
-TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
+TEST(JointHistogram, UsesTheRangeOfTheDataSetAsADescriptor) {
   const std::vector<ScalarField> small = all_pairs(random_values(50, 1), random_values(40, 2));
   std::vector<ScalarField> large = small;
   large[0].values *= 3;
@@ -124,7 +124,7 @@ TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
   EXPECT_EQ(joint.describe(inputs[0], learnt, settings), joint_histogram(small, expected));
 }
 
-TEST(JointHistogram, OfAFieldThatIsConstantUpToRoundingHasOneBin) {
+TEST(JointHistogram, OfAFieldConstantUpToRoundingFillsOneBin) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const Shape none;
   const Descriptor& joint = descriptors().at("joint_histogram");
@@ -136,7 +136,7 @@ TEST(JointHistogram, OfAFieldThatIsConstantUpToRoundingHasOneBin) {
   EXPECT_EQ(compute_features(joint, {none, fields}, {}, settings), constant);
 }
 
-TEST(JointHistogram, OverADataSetOfOneValueUsesEachShapesRange) {
+TEST(JointHistogram, UsesTheRangeOfEachShapeIfTheDataSetRangeIsOneValue) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   fields[0].values.setConstant(0.7);
   const Shape none;
@@ -151,7 +151,7 @@ TEST(JointHistogram, OverADataSetOfOneValueUsesEachShapesRange) {
   EXPECT_EQ(histogram_with("over_data_set"), histogram_with("per_shape"));
 }
 
-TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
+TEST(JointHistogram, DataSetRangeRefersToValuesDividedByTheMean) {
   // Values 1 to 3 with the mean 2, and 10 to 40 with the mean 20: divided by the mean 0.5 to 1.5 and 0.5 to 2.
   const std::vector<ScalarField> first = all_pairs(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0.2, 0.4, 0.6));
   const std::vector<ScalarField> second = all_pairs(Eigen::Vector3d(10, 10, 40), Eigen::Vector3d(0.2, 0.4, 0.6));
@@ -166,7 +166,7 @@ TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
   EXPECT_TRUE(learnt.isApprox(LearntFeatures{{0.5F, 2.0F}, {0.2F, 0.6F}}, 1e-6F)) << learnt;
 }
 
-TEST(JointHistogram, RejectsInvalidInput) {
+TEST(JointHistogram, RejectsMismatchedFieldsAndAxesAndOptionsOutOfRange) {
   const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
   const std::vector<JointAxis> axes(2);
   EXPECT_THROW(joint_histogram(std::span(fields).first(1), std::span(axes).first(1)), ArgumentError);
@@ -187,14 +187,14 @@ TEST(JointHistogram, RejectsInvalidInput) {
   EXPECT_THROW(joint_histogram(other, axes), ArgumentError);
 }
 
-TEST(JointHistogram, ARangeInMeansIsOfTheMeanByWeight) {
+TEST(JointHistogram, RangeInMeansUsesTheWeightedMean) {
   const ScalarField field{Eigen::Vector2d(1, 3), Eigen::Vector2d(3, 1)};  // mean 1.5
   const Interval range = joint_range(field, true);
   EXPECT_DOUBLE_EQ(range.low, 1 / 1.5);
   EXPECT_DOUBLE_EQ(range.high, 3 / 1.5);
 }
 
-TEST(JointHistogram, AShapesOwnRangeIsOfTheDividedValues) {
+TEST(JointHistogram, ShapeRangeRefersToValuesDividedByTheMean) {
   const ScalarField field{Eigen::Vector4d(1, 1.5, 3.5, 4), Eigen::Vector4d::Ones()};
   const std::vector<JointAxis> axes = {{.bins = 3, .smoothing_bins = 0, .divide_by_mean = true, .per_shape = true},
                                        {.bins = 1, .smoothing_bins = 0}};

@@ -21,7 +21,7 @@ double distance_of_light_fields(const Eigen::VectorXf& a, const Eigen::VectorXf&
 
 constexpr LightFieldOptions coarse = {.pixels = 64};
 
-TEST(LightField, RotatedShapesAreFarNearerThanOthers) {
+TEST(LightFieldDescriptor, RotatedShapeIsMuchCloserThanOtherShapes) {
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::VectorXf of_bar = light_field(bar, coarse);
   const std::vector<Eigen::VectorXf> others = {light_field(test::box({1, 1, 1}, 2), coarse),
@@ -36,7 +36,7 @@ TEST(LightField, RotatedShapesAreFarNearerThanOthers) {
   }
 }
 
-TEST(LightField, RotationsOfTheDodecahedronChangeNothing) {
+TEST(LightFieldDescriptor, DoesNotChangeUnderRotationsOfTheDodecahedron) {
   // By a third of a turn about a vertex: a set's views change places.
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::Matrix3d third =
@@ -48,14 +48,14 @@ TEST(LightField, RotationsOfTheDodecahedronChangeNothing) {
   EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance_of_light_fields(before, after));
 }
 
-TEST(LightField, ViewsOfASphereAreDiscs) {
+TEST(LightFieldDescriptor, RendersASphereAsDiscs) {
   const Eigen::VectorXf found = light_field(test::sphere(3, 4));
   ASSERT_EQ(found.size(), 4500);
   EXPECT_LE(found.maxCoeff(), 10);
   EXPECT_EQ(found, found.array().round().matrix());
 }
 
-TEST(LightField, IsSymmetricAndZeroForItself) {
+TEST(LightFieldDescriptor, DistanceIsSymmetricAndZeroForEqualShapes) {
   const Eigen::VectorXf a = light_field(test::box({1, 2, 4}, 2), coarse);
   const Eigen::VectorXf b = light_field(test::capsule(0.3, 1, 12, 12), coarse);
   EXPECT_EQ(distance_of_light_fields(a, a), 0);
@@ -63,12 +63,12 @@ TEST(LightField, IsSymmetricAndZeroForItself) {
   EXPECT_GT(distance_of_light_fields(a, b), 0);
 }
 
-TEST(LightField, SoupsAndOpenMeshesAreTheirSilhouettes) {
+TEST(LightFieldDescriptor, DoesNotDependOnOrientationAndSplitVertices) {
   const Shape bar = test::box({1, 2, 4}, 2);
   EXPECT_EQ(light_field(test::flipped(test::soup(bar)), coarse), light_field(bar, coarse));
 }
 
-TEST(LightField, CloudsAreFarNearerToTheirMeshesThanToOthers) {
+TEST(LightFieldDescriptor, CloudIsMuchCloserToItsMeshThanToOtherMeshes) {
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::VectorXf cloud = light_field(test::random_points(bar, 10'000, 1));
   double nearest_other = 1e9;
@@ -78,7 +78,7 @@ TEST(LightField, CloudsAreFarNearerToTheirMeshesThanToOthers) {
   EXPECT_LT(distance_of_light_fields(cloud, light_field(bar)), 0.2 * nearest_other);
 }
 
-TEST(LightField, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
+TEST(LightFieldDescriptor, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(light_field(Shape{Points::Zero(5, 3), {}}), InputError);
   EXPECT_THROW(light_field(ball, {.pixels = 8}), InputError);
@@ -92,7 +92,7 @@ TEST(LightField, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   }
 }
 
-TEST(LightField, BeginsWithTheRoundedFeaturesOfTheFirstView) {
+TEST(LightFieldDescriptor, StoresTheRoundedFeaturesOfTheFirstViewFirst) {
   // A box whose corners are on the unit sphere, seen along the first vertex of the dodecahedron.
   const Shape box = test::box(Eigen::Vector3d(1, 2, 4) * 2 / std::sqrt(21.0), 1);
   const Eigen::Matrix3d rotation = rotation_between({1, 1, 1}, Eigen::Vector3d::UnitZ());

@@ -42,7 +42,7 @@ double distance_to_others() {
   return nearest;
 }
 
-TEST(Panorama, FeaturesAreFourierMagnitudesByTheirDefinition) {
+TEST(PanoramaDescriptor, FeaturesMatchTheDefinitionByFourierMagnitudes) {
   const PanoramaOptions options = {.frequencies = 3};
   // A box along x is its own principal pose, except for signs.
   const Shape box = test::box({4, 2, 1}, 2);
@@ -79,7 +79,7 @@ TEST(Panorama, FeaturesAreFourierMagnitudesByTheirDefinition) {
   EXPECT_EQ(found.size(), 2 * (3 * 2 * 2 * 16 + wavelet_features));
 }
 
-TEST(Panorama, RotationReflectionTranslationAndScaleChangeLittle) {
+TEST(PanoramaDescriptor, HardlyChangesUnderRotationReflectionTranslationAndScale) {
   const Shape bar = knobbed_bar();
   const Eigen::VectorXf expected = panorama(bar);
   const double tolerance = 0.02 * distance_to_others();
@@ -94,7 +94,7 @@ TEST(Panorama, RotationReflectionTranslationAndScaleChangeLittle) {
   }
 }
 
-TEST(Panorama, OrderOrientationConnectivityAndMeshDoNotMatter) {
+TEST(PanoramaDescriptor, HardlyDependsOnOrderOrientationAndMeshing) {
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::VectorXf expected = panorama(bar);
   const double tolerance = 0.01 * distance_of_panoramas(panorama(test::box({1, 1, 4}, 2)), expected);
@@ -104,7 +104,7 @@ TEST(Panorama, OrderOrientationConnectivityAndMeshDoNotMatter) {
   }
 }
 
-TEST(Panorama, CloudsAreNearTheirMeshes) {
+TEST(PanoramaDescriptor, CloudIsCloseToItsMesh) {
   const Shape bar = knobbed_bar();
   const Eigen::VectorXf cloud = panorama(test::random_points(bar, 10'000, 1));
   EXPECT_LT(distance_of_panoramas(cloud, panorama(bar)), 0.4 * distance_to_others());
@@ -118,7 +118,7 @@ Eigen::VectorXf features_of(const Eigen::Vector4f& fourier, float wavelets) {
   return features;
 }
 
-TEST(Panorama, TheNearerPoseCounts) {
+TEST(PanoramaDescriptor, DistanceIsThatOfTheCloserPose) {
   const Eigen::VectorXf a = features_of({1, 2, 3, 4}, 1);
   const Eigen::VectorXf b = features_of({2, 4, 3, 2}, 1);
   EXPECT_EQ(distance_of_panoramas(a, b), 2);
@@ -127,7 +127,7 @@ TEST(Panorama, TheNearerPoseCounts) {
   EXPECT_THROW(distance_of_panoramas(Eigen::Vector2f(1, 2), Eigen::Vector2f(1, 2)), ArgumentError);
 }
 
-TEST(Panorama, WaveletFeaturesCountByTheirRelativeDifference) {
+TEST(PanoramaDescriptor, WaveletFeaturesAreComparedByRelativeDifference) {
   const Eigen::Vector4f same(1, 2, 3, 4);
   EXPECT_NEAR(distance_of_panoramas(features_of(same, 1), features_of(same, 3)), 20 * 0.5, 1e-9);
   EXPECT_EQ(distance_of_panoramas(features_of(same, 0), features_of(same, 0)), 0);
@@ -147,7 +147,7 @@ Eigen::MatrixXd haar_matrix(Eigen::Index size) {
   return all;
 }
 
-TEST(Panorama, WaveletFeaturesMatchTheHaarTransform) {
+TEST(PanoramaDescriptor, WaveletFeaturesMatchTheHaarTransform) {
   const PanoramaOptions options;
   const Shape box = test::box({4, 2, 1}, 2);  // along x is its own principal pose, except for signs
   const Eigen::VectorXf found = panorama(box, options);
@@ -175,7 +175,7 @@ TEST(Panorama, WaveletFeaturesMatchTheHaarTransform) {
   }
 }
 
-TEST(Panorama, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
+TEST(PanoramaDescriptor, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(panorama(ball, {.angles = 8}), InputError);
   EXPECT_THROW(panorama(ball, {.heights = 2000}), InputError);
@@ -194,7 +194,7 @@ TEST(Panorama, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   EXPECT_THROW(panorama(line), InputError);
 }
 
-TEST(Panorama, FlatShapesDifferAsOthersDo) {
+TEST(PanoramaDescriptor, DistinguishesFlatShapes) {
   const auto sheet = [](double width) {
     return Shape{Points{{0, 0, 0}, {2, 0, 0}, {2, width, 0}, {0, width, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
   };

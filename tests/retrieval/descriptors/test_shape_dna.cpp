@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(ShapeDna, SphereHasItsEigenvalues) {
+TEST(ShapeDna, OfASphereMatchesItsEigenvalues) {
   const Eigen::VectorXf found = shape_dna(test::sphere(3, 4), {.eigenvalues = 15, .divide_by_rank = false});
   Eigen::Index k = 0;
   for (int l = 1; l <= 3; ++l) {
@@ -17,7 +17,7 @@ TEST(ShapeDna, SphereHasItsEigenvalues) {
   }
 }
 
-TEST(ShapeDna, DividedByRankTendsToOne) {
+TEST(ShapeDna, EigenvalueDividedByItsIndexTendsToOneOnTheSphere) {
   const Eigen::VectorXf found = shape_dna(test::sphere(1, 4), {.eigenvalues = 99, .divide_by_rank = true});
   EXPECT_NEAR(found[98], 9.0 * 10 / 99, 0.05);
 }
@@ -28,7 +28,7 @@ TEST(ShapeDna, DoesNotChangeWithMotionAndScale) {
   EXPECT_LT((shape_dna(shape) - shape_dna(other)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
-TEST(ShapeDna, ABentSheetIsTheFlatOne) {
+TEST(ShapeDna, OfABentSheetMatchesTheFlatSheet) {
   // A strip of triangles, flat and rolled up to half a cylinder: the edges' lengths stay.
   Shape flat;
   const int length = 40;
@@ -53,7 +53,7 @@ TEST(ShapeDna, ABentSheetIsTheFlatOne) {
   EXPECT_LT((shape_dna(flat) - shape_dna(rolled)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
-TEST(ShapeDna, TwoSpheresHaveEachEigenvalueTwice) {
+TEST(ShapeDna, OfTwoSpheresHasEachEigenvalueTwice) {
   const Shape one = test::sphere(1, 3);
   const Shape two = test::joined({one, test::transformed(one, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
   const ShapeDnaOptions options{.eigenvalues = 6, .divide_by_rank = false};
@@ -62,7 +62,7 @@ TEST(ShapeDna, TwoSpheresHaveEachEigenvalueTwice) {
   EXPECT_TRUE(shape_dna(two, options).isApprox(Eigen::VectorXf::Constant(6, 2 * of_one.head(3).mean()), 1e-3F));
 }
 
-TEST(ShapeDna, FewVerticesEndWithZeros) {
+TEST(ShapeDna, EndsWithZerosForFewVertices) {
   const Eigen::VectorXf found = shape_dna(test::box({1, 1, 1}, 1));
   EXPECT_EQ(found.size(), 20);
   EXPECT_GT(found[6], 0);
@@ -74,7 +74,7 @@ TEST(ShapeDna, RefusesCloudsAndOptionsOutOfRange) {
   EXPECT_THROW(shape_dna(test::sphere(1, 1), {.eigenvalues = 0}), InputError);
 }
 
-TEST(ShapeDna, DividesTheKthByK) {
+TEST(ShapeDna, DividesEachEigenvalueByItsIndexOnRequest) {
   const Shape shape = test::box({1, 2, 3}, 4);
   const Eigen::VectorXf whole = shape_dna(shape, {.eigenvalues = 5, .divide_by_rank = false});
   const Eigen::VectorXf divided = shape_dna(shape, {.eigenvalues = 5, .divide_by_rank = true});

@@ -38,14 +38,14 @@ std::size_t different(const Image& a, const Image& b) {
   return count;
 }
 
-TEST(Silhouette, BoxIsARectangle) {
+TEST(Silhouette, OfABoxIsARectangle) {
   const Image found = silhouette_of(test::box({1, 0.5, 1.2}, 3), Eigen::Matrix3d::Identity());
   const Image expected = image_of([](double x, double y) { return std::abs(x) <= 0.5 && std::abs(y) <= 0.25; });
   // Corners on the right and lower rim lie in the pixels beyond it.
   EXPECT_LE(different(found, expected), 8U);
 }
 
-TEST(Silhouette, SphereIsADisc) {
+TEST(Silhouette, OfASphereIsADisc) {
   // The disk is about a third of a pixel wider along its rim of 320 pixels, as vertices fill theirs.
   const Image found = silhouette_of(test::sphere(0.8, 4), test::rotation(1));
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
@@ -89,12 +89,12 @@ TEST(Silhouette, CoversPixelsWithACentreOrCorner) {
   }
 }
 
-TEST(SilhouetteFeatures, AreZeroForTheWholeDisc) {
+TEST(SilhouetteFeatures, OfTheFullDiscAreZero) {
   const auto features = SilhouetteFeatures(pixels)(image_of([](double x, double y) { return x * x + y * y <= 1; }));
   for (std::size_t k = 0; k < silhouette_feature_count; ++k) EXPECT_LT(features[k], 0.02) << k;
 }
 
-TEST(SilhouetteFeatures, SmallerDiscHasTheZernikeMomentsOfItsRadius) {
+TEST(SilhouetteFeatures, OfASmallerDiscAreTheZernikeMomentsOfItsRadius) {
   const double r = 0.6;
   const auto features =
       SilhouetteFeatures(pixels)(image_of([&](double x, double y) { return x * x + y * y <= r * r; }));
@@ -106,7 +106,7 @@ TEST(SilhouetteFeatures, SmallerDiscHasTheZernikeMomentsOfItsRadius) {
   EXPECT_LT(features[2], 0.01);  // 2,2
 }
 
-TEST(SilhouetteFeatures, TurningAndMirroringTheImageDoNotChangeThem) {
+TEST(SilhouetteFeatures, DoNotChangeIfTheImageIsRotatedOrMirrored) {
   const auto shape = [](double x, double y) { return std::abs(x) <= 0.7 && y >= -0.2 && y <= 0.3 + 0.2 * x; };
   const SilhouetteFeatures features_of(pixels);
   const auto expected = features_of(image_of(shape));
@@ -120,7 +120,7 @@ TEST(SilhouetteFeatures, TurningAndMirroringTheImageDoNotChangeThem) {
   }
 }
 
-TEST(SilhouetteFeatures, OutlineOfASquareHasFourCorners) {
+TEST(SilhouetteFeatures, OutlineOfASquareHasOnlyFourfoldFourierCoefficients) {
   const auto features =
       SilhouetteFeatures(pixels)(image_of([](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 0.6; }));
   const auto coefficient = [&](std::size_t k) { return features[zernike_moments + k - 1]; };
@@ -138,7 +138,7 @@ TEST(SilhouetteFeatures, UseTheLongestOutline) {
   for (std::size_t k = zernike_moments; k < silhouette_feature_count; ++k) EXPECT_EQ(both[k], alone[k]);
 }
 
-TEST(SilhouetteFeatures, EmptyImagesAndSinglePixelsHaveFeatures) {
+TEST(SilhouetteFeatures, AreFiniteForEmptyImagesAndSinglePixels) {
   const SilhouetteFeatures features_of(pixels);
   for (const double feature : features_of(Image(pixels * pixels, 0))) EXPECT_EQ(feature, 0);
   Image single(pixels * pixels, 0);

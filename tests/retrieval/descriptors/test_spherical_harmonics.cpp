@@ -23,7 +23,7 @@ Eigen::VectorXd harmonic(const Points& directions, int l, int m) {
   return values;
 }
 
-TEST(HarmonicNorms, SingleHarmonicHasASingleFrequency) {
+TEST(SphericalHarmonicNorms, OfASingleHarmonicHaveASingleFrequency) {
   const int bandwidth = 8;
   const HarmonicTransform transform(bandwidth);
   for (int l = 0; l < bandwidth; ++l) {
@@ -36,7 +36,7 @@ TEST(HarmonicNorms, SingleHarmonicHasASingleFrequency) {
   }
 }
 
-TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
+TEST(SphericalHarmonicNorms, DoNotChangeIfTheFunctionIsRotated) {
   const HarmonicTransform transform(8);
   const Points& directions = transform.directions();
   const auto function = [](const Points& at) {
@@ -47,7 +47,7 @@ TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
   EXPECT_LT((transform.norms(function(turned)) - expected).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-TEST(HarmonicNorms, NeedAValueForEachDirection) {
+TEST(SphericalHarmonicNorms, RejectAWrongNumberOfValues) {
   EXPECT_THROW(static_cast<void>(HarmonicTransform(4).norms(Eigen::VectorXd::Zero(7))), ArgumentError);
 }
 
@@ -55,7 +55,7 @@ double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b)
   return l2_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(SphericalHarmonics, SphereHasOnlyFrequencyZero) {
+TEST(SphericalHarmonics, OfASphereHaveOnlyFrequencyZero) {
   const SphericalHarmonicsOptions options = {.shells = 16, .bandwidth = 8, .width = 0.25};
   const Eigen::VectorXf found = spherical_harmonics(test::sphere(5, 4), options);
   for (Eigen::Index shell = 0; shell < options.shells; ++shell) {
@@ -68,7 +68,7 @@ TEST(SphericalHarmonics, SphereHasOnlyFrequencyZero) {
   }
 }
 
-TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
+TEST(SphericalHarmonics, HardlyChangeUnderRotationAndNotUnderTranslationAndScale) {
   const Shape bar = test::box({1, 2, 4}, 3);
   const Shape other = test::box({1, 3, 3}, 3);
   for (const bool voxels : {false, true}) {
@@ -86,7 +86,7 @@ TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
   }
 }
 
-TEST(SphericalHarmonics, OrientationConnectivityAndMeshDoNotMatter) {
+TEST(SphericalHarmonics, HardlyDependOnOrientationAndMeshing) {
   const Shape bar = test::box({1, 2, 4}, 3);
   const Eigen::VectorXf expected = spherical_harmonics(bar);
   // Centroid and size are estimated from other samples.
@@ -95,13 +95,13 @@ TEST(SphericalHarmonics, OrientationConnectivityAndMeshDoNotMatter) {
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::box({1, 2, 4}, 7)), expected), tolerance);
 }
 
-TEST(SphericalHarmonics, CloudsAreDescribedByTheirPoints) {
+TEST(SphericalHarmonics, UseThePointsOfClouds) {
   const Shape ball = test::sphere(1, 4);
   const Eigen::VectorXf mesh = spherical_harmonics(ball);
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(Shape{ball.vertices, {}}), mesh), 0.1 * mesh.norm());
 }
 
-TEST(SphericalHarmonics, RefusesOptionsOutOfRangeAndShapesWithoutExtent) {
+TEST(SphericalHarmonics, RefuseOptionsOutOfRangeAndShapesWithoutExtent) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(spherical_harmonics(ball, {.shells = 0}), InputError);
   EXPECT_THROW(spherical_harmonics(ball, {.bandwidth = 65}), InputError);

@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(SurfaceMoments, BoxMatchesIntegralsOverItsSides) {
+TEST(SurfaceMoments, OfABoxMatchIntegralsOverItsSides) {
   const Eigen::Vector3d size(1, 2, 4);
   const Eigen::Vector3d move(10, 20, 30);
   const SurfaceMoments found =
@@ -23,12 +23,12 @@ TEST(SurfaceMoments, BoxMatchesIntegralsOverItsSides) {
   EXPECT_LT((found.covariance - Eigen::Matrix3d(found.covariance.diagonal().asDiagonal())).norm(), 1e-12);
 }
 
-TEST(SurfaceMoments, AreZeroWithoutArea) {
+TEST(SurfaceMoments, AreZeroForShapesWithoutArea) {
   EXPECT_EQ(surface_moments(Shape{}).area, 0);
   EXPECT_EQ(surface_moments(Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}).covariance.norm(), 0);
 }
 
-TEST(PrincipalAxes, AreTheRowsOfARotationByFallingEigenvalue) {
+TEST(PrincipalAxes, AreARotationSortedByDescendingEigenvalue) {
   const Eigen::Matrix3d turn = test::rotation(5);
   const Eigen::Matrix3d axes = principal_axes(turn * Eigen::Vector3d(1, 3, 2).asDiagonal() * turn.transpose());
   EXPECT_NEAR(axes.determinant(), 1, 1e-12);

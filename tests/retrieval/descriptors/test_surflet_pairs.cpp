@@ -40,7 +40,7 @@ Eigen::VectorXd marginal(const Eigen::VectorXf& features, const SurfletPairsOpti
   return shares;
 }
 
-TEST(SurfletPairs, SharesAddUpToOne) {
+TEST(SurfletPairs, SquaredFeaturesSumToOne) {
   const Eigen::VectorXf features = pairs_of(test::sphere(1, 3));
   EXPECT_EQ(features.size(), 10 * 5 * 5 * 5);
   EXPECT_NEAR(features.squaredNorm(), 1, 1e-5);
@@ -48,7 +48,7 @@ TEST(SurfletPairs, SharesAddUpToOne) {
 
 // On the unit sphere the chord t of two random points has the density t / 2 on [0, 2] and mean 4/3; both normals have
 // the cosine t / 2 with the chord, and 1 - t^2 / 2 with each other.
-TEST(SurfletPairs, SphereMatchesRandomChords) {
+TEST(SurfletPairs, OfASphereMatchRandomChords) {
   const SurfletPairsOptions options{.distance_bins = 12, .angle_bins = 8, .largest_distance = 3};
   const Eigen::VectorXf features = pairs_of(test::sphere(2, 5), options);
   std::array<Eigen::VectorXd, 4> expected{Eigen::VectorXd::Zero(12), Eigen::VectorXd::Zero(8), Eigen::VectorXd::Zero(8),
@@ -73,7 +73,7 @@ TEST(SurfletPairs, SphereMatchesRandomChords) {
   }
 }
 
-TEST(SurfletPairs, FlatSheetHasNormalsAcrossTheLine) {
+TEST(SurfletPairs, OfAFlatSheetHaveNormalsPerpendicularToTheLine) {
   const Shape sheet{Points{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
   const SurfletPairsOptions options;
   const Eigen::VectorXf features = pairs_of(sheet, options);
@@ -82,7 +82,7 @@ TEST(SurfletPairs, FlatSheetHasNormalsAcrossTheLine) {
   EXPECT_NEAR(marginal(features, options, 3)[0], 1, 1e-5);
 }
 
-TEST(SurfletPairs, MotionScaleReflectionOrientationAndMeshingChangeLittle) {
+TEST(SurfletPairs, HardlyChangeUnderMotionScaleReflectionAndMeshing) {
   const Shape capsule = test::capsule(0.3, 2, 24, 30);
   const Eigen::VectorXf expected = pairs_of(capsule);
   const double to_another = distance_of(pairs_of(test::torus(1, 0.4, 40, 30)), expected);
@@ -97,7 +97,7 @@ TEST(SurfletPairs, MotionScaleReflectionOrientationAndMeshingChangeLittle) {
   EXPECT_LT(distance_of(pairs_of(test::random_points(capsule, 10000, 1)), expected), 0.2 * to_another);
 }
 
-TEST(SurfletPairs, IsTheSameWithASharedProxy) {
+TEST(SurfletPairs, AreTheSameWithASharedProxy) {
   const Shape shape = test::capsule(0.3, 2, 16, 16);
   const Descriptor& one = descriptors().at("surflet_pairs");
   ProxySource shared(shape);
@@ -107,7 +107,7 @@ TEST(SurfletPairs, IsTheSameWithASharedProxy) {
             one.describe({.shape = shape, .fields = {}}, {}, settings));
 }
 
-TEST(SurfletPairs, RejectsShapesWithoutPairs) {
+TEST(SurfletPairs, RejectShapesWithoutPairsAndOptionsOutOfRange) {
   EXPECT_THROW(pairs_of(Shape{}), InputError);
   EXPECT_THROW(pairs_of(Shape{Points::Zero(4, 3), {}}), InputError);
   EXPECT_THROW(pairs_of(test::sphere(1, 1), {.distance_bins = 1}), InputError);
