@@ -205,10 +205,11 @@ void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
     const float reach = along[i] * query.sine + node.half_height[i] + node.radius[i] + rounding;
     const float off_axis2 = from_apex2[i] - along[i] * along[i];
     const bool in_cone = (reach >= 0) & (off_axis2 * query.squared_cosine <= reach * reach);
-    const bool in_ball =
-        (std::abs(height[i]) - node.half_height[i] <= query.radius) & (to_ball2[i] <= query.radius * query.radius);
+    const bool in_slab = std::abs(height[i]) - node.half_height[i] <= query.radius;
+    const bool in_ball = to_ball2[i] <= query.radius * query.radius;
     const bool faces_axis = std::abs(normal_cosine[i]) + node.normal_deviation[i] >= query.min_normal_cosine;
-    squared_distances[i] = in_cone & in_ball & faces_axis ? to_apex2[i] : std::numeric_limits<float>::infinity();
+    const bool is_candidate = in_cone & in_slab & in_ball & faces_axis;
+    squared_distances[i] = is_candidate ? to_apex2[i] : std::numeric_limits<float>::infinity();
   }
 }
 
