@@ -186,8 +186,7 @@ ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int
     region.faces.push_back(cell.cell.face);
   }
   std::ranges::sort(region.faces);
-  const auto repeated = std::ranges::unique(region.faces);
-  region.faces.erase(repeated.begin(), repeated.end());
+  region.faces.erase(std::unique(region.faces.begin(), region.faces.end()), region.faces.end());
   region.median = median_of(cells, members);
   return region;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <ranges>
 #include <set>
 #include <span>
 #include <system_error>
@@ -89,8 +88,8 @@ bool is_reversed(const RankedAnswers::Answer& answer, std::span<const double> ra
   std::vector<std::pair<double, double>> by_rank;
   for (std::size_t i = 0; i < ranks.size(); ++i) by_rank.emplace_back(ranks[i], answer.models[i].second);
   std::ranges::sort(by_rank);
-  const auto distances = by_rank | std::views::values;
-  return distances.front() > distances.back() && std::ranges::is_sorted(distances, std::greater());
+  constexpr auto distance = &std::pair<double, double>::second;
+  return by_rank.front().second > by_rank.back().second && std::ranges::is_sorted(by_rank, std::greater(), distance);
 }
 
 RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
