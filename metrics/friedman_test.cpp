@@ -87,10 +87,7 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
     throw ArgumentError("a comparison by ranks needs at least one method and one data set, not " +
                         std::to_string(values.cols()) + " and " + std::to_string(values.rows()));
   }
-  if (!values.allFinite())
-    throw ArgumentError("values of methods on data sets must be finite numbers (not finite: " +
-                        std::to_string((!values.array().isFinite()).count()) + " of " + std::to_string(values.size()) +
-                        ")");
+  if (!values.allFinite()) throw ArgumentError("values of methods on data sets must be finite numbers");
   if (!(alpha > 0 && alpha < 1))
     throw ArgumentError("the significance level is " + std::to_string(alpha) + "; it must be between 0 and 1");
   const auto sets = static_cast<double>(values.rows());

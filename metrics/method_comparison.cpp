@@ -18,10 +18,7 @@ namespace {
 void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const ComparisonOptions& options) {
   if (per_query.cols() < 2)
     throw ArgumentError("a comparison needs at least two methods, not " + std::to_string(per_query.cols()));
-  if (!per_query.allFinite())
-    throw ArgumentError("scores to compare must be finite numbers (not finite: " +
-                        std::to_string((!per_query.array().isFinite()).count()) + " of " +
-                        std::to_string(per_query.size()) + ")");
+  if (!per_query.allFinite()) throw ArgumentError("scores to compare must be finite numbers");
   if (units.values.rows() < 2) {
     throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two " +
                         name_of(options.blocks) + ", not " + std::to_string(units.values.rows()));

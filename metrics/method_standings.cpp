@@ -24,10 +24,7 @@ Eigen::MatrixXd p_values_of(const UnitValues& units, const StandingOptions& opti
 std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                          const StandingOptions& options) {
   if (per_query.cols() == 0) throw ArgumentError("a ranking needs at least one method, and there is none");
-  if (!per_query.allFinite())
-    throw ArgumentError("scores to rank by must be finite numbers (not finite: " +
-                        std::to_string((!per_query.array().isFinite()).count()) + " of " +
-                        std::to_string(per_query.size()) + ")");
+  if (!per_query.allFinite()) throw ArgumentError("scores to rank by must be finite numbers");
   const UnitValues units = unit_values_of(per_query, classes, options.blocks, options.average);
   const Eigen::VectorXd averages = averages_of(units);
   const Eigen::MatrixXd p_values = p_values_of(units, options);

@@ -18,14 +18,14 @@ OffsetSdfResult at_faces(const Shape& shape, double offset) {
   return offset_sdf(shape, sample_shape(shape, SampleSite::faces), {.offset = offset});
 }
 
-/// Offsets of the paper, and one above them. A smaller one, whose grid is large, is tested with a sphere and a box.
-const std::vector<double> offsets = {0.003, 0.01, 0.03, 0.05, 0.12};
+/// Offsets of the paper, and one above and one below them.
+const std::vector<double> offsets = {0.001, 0.003, 0.01, 0.03, 0.05, 0.12};
 
 TEST(OffsetSdf, OfASphereIsItsDiameter) {
   const Shape sphere = test::sphere(1, 4);
   // The polyhedron's faces lie below the sphere by this much at most.
   const double sagitta = 1 - sample_shape(sphere, SampleSite::faces).points.rowwise().norm().minCoeff();
-  for (const double offset : {0.001, 0.003, 0.01, 0.03, 0.05, 0.12}) {
+  for (const double offset : offsets) {
     const OffsetSdfResult result = at_faces(sphere, offset);
     const double tolerance = 2 * sagitta + 1e-3 * offset * bounding_box_diagonal(sphere);
     EXPECT_LE(result.values.maxCoeff(), 2 + tolerance) << offset;
@@ -65,7 +65,7 @@ TEST(OffsetSdf, OfASlabIsItsThicknessAwayFromTheRim) {
 TEST(OffsetSdf, OfATorusIsTheDiameterOfTheTubeOnTheOuterEquator) {
   const Shape torus = test::torus(2, 0.4, 120, 60);
   const Samples samples = sample_shape(torus, SampleSite::faces);
-  for (const double offset : {0.003, 0.01, 0.03, 0.05, 0.2}) {  // the hole of radius 1.6 stays open: r <= 1.13
+  for (const double offset : {0.001, 0.01, 0.03, 0.05, 0.2}) {  // the hole of radius 1.6 stays open: r <= 1.13
     const OffsetSdfResult result = offset_sdf(torus, samples, {.offset = offset});
     for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
       const Eigen::Vector3d p = samples.points.row(i);
