@@ -23,8 +23,8 @@ class BuildByCMake(build_ext):
     """The native half of the package is a target of CMake."""
 
     def build_extension(self, extension):
-        given = os.environ.get("SHAPEGAUGE_BUILD_FOLDER")
-        folder = pathlib.Path(given) if given else pathlib.Path(self.build_temp).resolve()
+        existing = os.environ.get("SHAPEGAUGE_BUILD_FOLDER")
+        folder = pathlib.Path(existing) if existing else pathlib.Path(self.build_temp).resolve()
         if not (folder / "CMakeCache.txt").exists():
             settings = {"CMAKE_BUILD_TYPE": "Release", "SHAPEGAUGE_BUILD_TESTS": "OFF", "SHAPEGAUGE_UNITY_BUILD": "ON",
                         "Python3_EXECUTABLE": sys.executable}

@@ -62,7 +62,9 @@ void add_audit_command(CLI::App& app, int& status) {
       app.add_subcommand("audit", "Evaluate files like several evaluation programs, and compare the ranks");
   command->footer("Example: shapegauge audit ours.npy theirs.npy --labels test.cla");
   const auto arguments = std::make_shared<AuditArguments>();
-  command->add_option("matrices", arguments->matrices, "Distances, features or ranked lists of the same queries")
+  command
+      ->add_option("matrices", arguments->matrices,
+                   "Files of distances, features or ranked lists for the same queries, one file per method")
       ->required();
   add_file_options(*command, arguments->evaluation);
   add_threads_option(*command, arguments->evaluation.threads);

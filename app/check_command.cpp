@@ -127,15 +127,18 @@ void add_check_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Limits");
   command
       ->add_option("--min-wall", arguments->min_wall,
-                   "Minimum thickness of walls, such as 1.2 (in file units) or 1.2mm; required without --min-gap")
+                   "Minimum thickness of walls, such as 1.2 (file units) or 1.2mm (requires --unit); required without "
+                   "--min-gap")
       ->type_name("LENGTH");
   command
-      ->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps, such as 0.5mm; required without --min-wall")
+      ->add_option("--min-gap", arguments->min_gap,
+                   "Minimum width of gaps, such as 0.5 (file units) or 0.5mm (requires --unit); required without "
+                   "--min-wall")
       ->type_name("LENGTH");
   command
       ->add_option("--min-area", arguments->min_area,
                    "Minimum area of listed regions, in squared file units, at least the smaller of (limit / 8)² and 1 "
-                   "% of the surface; smaller ones are only counted")
+                   "% of the surface; smaller regions are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);
@@ -145,8 +148,8 @@ void add_check_command(CLI::App& app, int& status) {
   add_shape_outputs(*command, arguments->files, "")
       ->required(false)
       ->description(
-          "Output file: .html (interactive page), .ply (surface divided along regions, with diameters as fractions of "
-          "the limit), .png (picture), .csv or .npy (fractions); a folder for several inputs");
+          "Output file: .html (page), .png (picture), or .ply, .csv or .npy (fraction of the limit per triangle of the "
+          "divided surface); a folder for several inputs");
   add_up_option(*command, arguments->up);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 struct CompareArguments {
   std::vector<fs::path> inputs;
   EvaluationArguments evaluation;
-  std::vector<std::string> of_distances;  // given options that act on distances only
+  std::vector<std::string> of_distances;  // options used on the command line that act on distances only
   ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
   std::string test{word_of(ComparisonOptions{}.test)};
   std::string average = "micro";
@@ -71,15 +71,15 @@ struct ComparedInputs {
 
 // Returns the methods of a table under one protocol: the only one, or the requested one.
 std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareArguments& arguments) {
-  const std::string wanted_protocol = name_of(chosen_protocol(arguments.evaluation));
+  const std::string protocol = name_of(chosen_protocol(arguments.evaluation));
   std::vector<MethodScores> methods = read_method_scores(path);
   const bool one =
       std::ranges::all_of(methods, [&](const MethodScores& method) { return method.protocol == methods[0].protocol; });
   if (one && arguments.evaluation.protocol.empty()) return methods;
-  std::erase_if(methods, [&](const MethodScores& method) { return method.protocol != wanted_protocol; });
+  std::erase_if(methods, [&](const MethodScores& method) { return method.protocol != protocol; });
   if (methods.empty()) {
-    throw InputError(fmt::format("{}: no scores under the protocol {}; choose another with --protocol", path.string(),
-                                 wanted_protocol));
+    throw InputError(
+        fmt::format("{}: no scores under the protocol {}; choose another with --protocol", path.string(), protocol));
   }
   return methods;
 }
@@ -303,26 +303,34 @@ int run(const CompareArguments& arguments) {
 
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
-  command.add_option("--test", arguments.test, "Significance test for each pair of methods")
+  command
+      .add_option("--test", arguments.test,
+                  "Significance test of the difference between two methods: randomisation, paired t-test (t) or "
+                  "bootstrap")
       ->check(one_of(list_of_words<PairTest>()))
       ->capture_default_str()
       ->transform([](const std::string& name) { return name == "randomization" ? "randomisation" : name; });  // older
-  command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
+  command
+      .add_option("--average", arguments.average,
+                  "Average of the scores: over queries (micro), or over the means of classes (macro)")
       ->check(one_of(list_of_words<Average>()))
       ->capture_default_str();
-  command.add_option("--reference", arguments.reference, "Method compared with every other one (default: all pairs)");
+  command.add_option("--reference", arguments.reference,
+                     "Name of the method to compare with every other one (default: compare all pairs)");
   command
-      .add_option("--names", arguments.names, "Names of the methods, such as ours,theirs (default: from the inputs)")
+      .add_option("--names", arguments.names,
+                  "Names of the methods in the order of the inputs, such as ours,theirs (default: from the inputs)")
       ->delimiter(',');
   begin_option_group(command, output_options);
   command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command.add_option("--plot-scores", arguments.score_plot,
-                     "File for a chart of the scores with intervals: .svg, .pdf or .png");
-  command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves");
+                     "File for a chart of the average scores with confidence intervals: .svg, .pdf or .png");
+  command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves of all methods");
   command.add_option("--report", arguments.report, "HTML file for a report on all methods; requires distance matrices");
   add_replace_option(command, arguments.replace);
-  add_score_format_options(command, arguments.printed,
-                           "Format of the printed result; csv: a row per pair of methods, latex: a row per method");
+  add_score_format_options(
+      command, arguments.printed,
+      "Format of the printed result; csv: one row per measure and pair of methods; latex: one row per method");
 }
 
 }  // namespace
@@ -343,7 +351,7 @@ void add_compare_command(CLI::App& app, int& status) {
   add_comparison_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
   command->callback([command, arguments, &status] {
-    arguments->of_distances = given_options(*command, options_of_distances);
+    arguments->of_distances = used_options(*command, options_of_distances);
     with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); });
   });
 }

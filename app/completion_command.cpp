@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 /// Returns the names of an option as typed ("--format", "-o"); none for a positional and for a hidden option.
 std::vector<std::string> names_of(const CLI::Option& option) {
-  if (option.get_group().empty()) return {};
+  if (is_hidden(option)) return {};
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);

@@ -185,14 +185,15 @@ std::vector<std::string> layout_names() {
 std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   auto arguments = std::make_shared<LookArguments>();
   command->add_option("folder", arguments->folder, "Folder of the data set")->required();
-  command->add_option("--classification", arguments->classification,
-                      "File of the classes, .cla or CSV (default: by layout, such as test.cla)");
+  command->add_option(
+      "--classification", arguments->classification,
+      "Classification file (.cla or CSV) of the data set (default: that of the layout, such as test.cla)");
   command
       ->add_option("--layout", arguments->layout,
-                   "Layout: a benchmark's, folders of classes, tree, csv table, or names such as cat0.off "
-                   "(default: detected)")
+                   "Layout (default: detected). folders: one folder per class; tree: nested folders; csv: table; "
+                   "named: files such as cat0.off; others: published benchmarks")
       ->check(one_of(layout_names()));
-  command->add_option("--split", arguments->split, "Split of the data set, for layouts that have splits")
+  command->add_option("--split", arguments->split, "Split whose models are used, for the layouts shapenet and folders")
       ->check(one_of(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
       ->capture_default_str();
   return arguments;
@@ -203,12 +204,12 @@ void add_generate(CLI::App* dataset, int& status) {
       dataset->add_subcommand("generate", "Generate a data set of articulated shapes in the layout of SHREC'11");
   command->footer("Example: shapegauge dataset generate shapes --classes 12 --models-per-class 10 --seed 1");
   const auto arguments = std::make_shared<GenerateArguments>();
-  command->add_option("folder", arguments->folder, "Folder, created if missing")->required();
+  command->add_option("folder", arguments->folder, "Folder for the data set, created if missing")->required();
   for (const Parameter& parameter : generator_parameters()) {
     add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
   }
   command->add_flag("--replace", arguments->replace, "Overwrite a data set in the folder");
-  command->add_flag("--force", arguments->replace)->group("");  // the older name
+  command->add_flag("--force", arguments->replace)->group(hidden_options);  // the older name
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
 }
@@ -231,7 +232,7 @@ void add_dataset_command(CLI::App& app, int& status) {
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);
   add_part_option(*validate_command, validate_arguments->part,
-                  "Read only part K/N of the models; auto: from Slurm or mpirun");
+                  "Read only share K of N (such as 1/4) of the models; auto: K and N from Slurm or mpirun");
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
 
   CLI::App* labels_command =

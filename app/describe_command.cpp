@@ -45,7 +45,7 @@ struct DescribeArguments {
   bool list = false;
 };
 
-/// Description of one shape. The mesh is kept only if features depend on all shapes.
+/// Description of one shape. Fields are stored only if features depend on all shapes.
 struct Described {
   std::vector<ScalarField> fields;
   Eigen::VectorXf features;
@@ -85,9 +85,9 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
 }
 
 /// Computes the fields of a shape and, unless the descriptor learns first, its features.
-Described described(const DescriptorChoice& choice, const Shape& given, const CleaningArguments& cleaning,
+Described described(const DescriptorChoice& choice, const Shape& input_shape, const CleaningArguments& cleaning,
                     Remarks& remarks) {
-  const Shape shape = prepare_shape(cleaned(given, cleaning, false, remarks), {}).shape;
+  const Shape shape = prepare_shape(cleaned(input_shape, cleaning, false, remarks), {}).shape;
   Described result;
   FieldSource source(shape);
   DescriptorFields computed = compute_fields(choice, source);
@@ -185,9 +185,10 @@ void add_describe_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   command->get_option("input")->required(false);
   begin_option_group(*command, "Descriptor");
-  command->add_option("--descriptor", arguments->descriptor, "Name of the descriptor, one of --list (required)");
+  command->add_option("--descriptor", arguments->descriptor,
+                      "Descriptor to compute (required); --list prints the names");
   command->add_option("--set", arguments->settings,
-                      "Setting of the descriptor, key=value as in a configuration; repeatable");
+                      "Setting of the descriptor: key=value as in a configuration; --list prints the keys; repeatable");
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file (required): .npy, or .csv (with ids)");
   add_replace_option(*command, arguments->files.replace);

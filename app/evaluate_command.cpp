@@ -113,7 +113,7 @@ std::string formatted_evaluation(const EvaluatedInputs& inputs, const EvaluateCo
   const ScoreStyle style = style_of(arguments.printed);
   const IntervalCells intervals = arguments.printed.format == "csv"      ? IntervalCells::columns
                                   : arguments.resampling.confidence == 0 ? IntervalCells::none
-                                                                         : IntervalCells::beside;
+                                                                         : IntervalCells::in_cells;
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   const auto text_of = [&](const TextTable& table) { return table_text(table, format, output_has_colours()); };
   std::string text;
@@ -318,12 +318,13 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
   begin_option_group(command, output_options);
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   command.add_option("--pr", arguments.curve,
-                     "File for the precision-recall curve: .csv, or .plot in the format of psbPlot");
-  command.add_option("--pr-per-class", arguments.class_curves,
-                     "CSV file for the precision-recall curves of each class");
+                     "File for the precision-recall curve: .csv, or .plot (two columns, as Princeton's psbPlot "
+                     "writes)");
+  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the precision-recall curve of each class");
   command
       .add_option("--curve", arguments.evaluation.curve,
-                  "Interpolation of precision-recall curves; raw: none (default: that of the protocol)")
+                  "Interpolation of precision-recall curves between hits. psb: linear; paper: previous hit; trec, "
+                  "trec_eval: best later hit; raw: none (default: that of the protocol)")
       ->check(one_of(list_of_words<CurveKind>()));
   command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
   command.add_flag("--each-query", arguments.each_query,
@@ -335,11 +336,11 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
                                "-q is ambiguous after evaluate: use --each-query for the scores of each query, or "
                                "--quiet for no messages except warnings and errors");
                          })
-      ->group("");  // not in the help
+      ->group(hidden_options);  // not in the help
   command.add_option("--per-class", arguments.per_class, "CSV file for the scores of each class");
   command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command.add_option("--plot-classes", arguments.class_plot,
-                     "File for a chart of the first measure by class: .svg, .pdf or .png");
+                     "File for a chart of the first measure for each class: .svg, .pdf or .png");
   command.add_option("--report", arguments.report, "HTML file for a report with scores and curves");
   add_replace_option(command, arguments.replace);
 }
@@ -364,7 +365,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
-                   "Format of standard input, as an extension (default: by contents, otherwise csv)")
+                   "Format of standard input, as a file extension (default: detected from the contents, otherwise csv)")
       ->check(one_of(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);

@@ -18,24 +18,25 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
   begin_option_group(command, input_options);
   command.add_option("--labels", files.labels,
-                     "Classes of the models: .cla, a table (id, class, optionally subclass, split), a list (one class "
-                     "per line, or .npy), or a folder of class folders");
-  command.add_option("--targets", files.targets,
-                     "Classes of the columns (targets); --labels has those of the rows (queries)");
+                     "Classes of the models: a .cla file, a table (id,class), a list (one class per line, or .npy), or "
+                     "a folder with one folder per class");
+  command.add_option(
+      "--targets", files.targets,
+      "File with the classes of the targets (columns), if these differ from the queries (rows) of --labels");
   command.add_flag("--shared-ids", files.shared_ids,
-                   "Treat equal ids of --labels and --targets as one model, excluded from its own list");
-  command.add_option("--qrels", files.qrels, "TREC relevance judgements, instead of --labels");
+                   "Treat a query and a target with equal ids as one model, removed from its own list");
+  command.add_option("--qrels", files.qrels, "File of TREC relevance judgements (qrels), instead of --labels");
   command
       .add_option("--level", files.level,
-                  "Level of the .cla hierarchy: 1: roots, 2: their children, 0: the classes themselves")
+                  "Level of the .cla hierarchy to evaluate. 1: roots; 2: their children; 0: the models' own classes")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command.add_option("--variable", files.variable, "Name of the array in an .npz or .mat file (default: its only one)");
-  command.add_option("--ids", files.ids, "File with the ids of the rows, one per line, for matrices without ids");
+  command.add_option("--ids", files.ids, "File with the model ids of the rows, one per line, for a matrix without ids");
   command
       .add_option("--order", arguments.order,
-                  "Order of rows without ids: natural (2 before 10), or that of the labels' file (default: file for "
-                  "lists, otherwise natural)")
+                  "Order of the models in the rows of a matrix without ids. natural: by id, 2 before 10; file: as in "
+                  "the --labels file (default: file if it has one class per line, otherwise natural)")
       ->check(one_of({"natural", "file"}))
       ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
   CLI::Option* similarity =
@@ -52,14 +53,16 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
   arguments.missing_queries = missing_queries.front();
   add_file_options(command, arguments);
   begin_option_group(command, "Evaluation");
-  CLI::Option* evaluator = command
-                               .add_option("--evaluator", arguments.evaluator,
-                                           "Evaluation program to reproduce: its protocol, measures and conventions")
-                               ->check(one_of(evaluator_names()));
+  CLI::Option* evaluator =
+      command
+          .add_option(
+              "--evaluator", arguments.evaluator,
+              "Evaluation program to reproduce, with its protocol and measures; 'shapegauge measures' describes them")
+          ->check(one_of(evaluator_names()));
   command
       .add_option("--protocol", arguments.protocol,
-                  "Query in its own list: removed (psb, trec) or first hit (paper); trec: measures of text retrieval "
-                  "(default: psb, or trec with --qrels)")
+                  "Protocol. psb: the query is removed from its own list; paper: it counts as the first hit; trec: "
+                  "like psb, with measures of text retrieval (default: psb, or trec with --qrels)")
       ->check(one_of(list_of_words<Protocol>()))
       ->excludes(evaluator);
   CLI::Option* missing = command
@@ -72,7 +75,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
           "-c,--all-queries", [&arguments] { arguments.missing_queries = word_of(Unanswered::count); },
           "Like --missing-queries zero, as trec_eval -c")
       ->excludes(missing)
-      ->group("");
+      ->group(hidden_options);
   command
       .add_option("--ties", arguments.ties,
                   "Order of models at equal distance: by index; relevant first (optimistic) or last (pessimistic); "
@@ -80,34 +83,40 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       ->check(one_of(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
-  command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
+  command
+      .add_option("--measures", arguments.measures,
+                  "Measures to compute, such as NN,FT,P@10; 'shapegauge measures' lists them (default: those of the "
+                  "protocol)")
       ->delimiter(',')
       ->excludes(evaluator);
   command
       .add_option("--min-class-size", arguments.minimum_class_size,
-                  "Minimum class size; queries of smaller classes are omitted")
+                  "Minimum number of models in the class of a query, the query included; other queries are omitted")
       ->check(within<int>(parameter_named("minimum_class_size", evaluation_table).bounds))
       ->capture_default_str()
       ->excludes(evaluator);
   add_threads_option(command, arguments.threads);
 }
 
-std::vector<std::string> given_options(const CLI::App& command, std::span<const std::string_view> options) {
-  std::vector<std::string> given;
+std::vector<std::string> used_options(const CLI::App& command, std::span<const std::string_view> options) {
+  std::vector<std::string> used;
   for (const std::string_view option : options) {
-    if (command.get_option(std::string(option))->count() > 0) given.emplace_back(option);
+    if (command.get_option(std::string(option))->count() > 0) used.emplace_back(option);
   }
-  return given;
+  return used;
 }
 
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
   add_format_option(command, arguments.format, description);
-  command.add_flag("--fractions", arguments.fractions, "Print scores as fractions instead of percent, as in JSON");
+  command.add_flag("--fractions", arguments.fractions,
+                   "Print scores as fractions from 0 to 1 instead of percent; JSON always has fractions");
   const auto set_unit = [&arguments](const std::string& unit) { arguments.fractions = unit == "fraction"; };
-  command.add_option_function<std::string>("--unit", set_unit)->check(one_of({"percent", "fraction"}))->group("");
+  command.add_option_function<std::string>("--unit", set_unit)
+      ->check(one_of({"percent", "fraction"}))
+      ->group(hidden_options);
   command
       .add_option("--digits", arguments.digits,
-                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more for fractions)")
+                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more with --fractions)")
       ->check(CLI::Range(0, 15));
 }
 
@@ -121,14 +130,19 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
   command
       .add_option("--confidence", arguments.confidence,
-                  "Confidence level of intervals (default: 0.95; evaluate: no intervals)")
+                  "Confidence level of intervals, and 1 - significance level of tests (default: 0.95; evaluate prints "
+                  "intervals only with this option)")
       ->check(within<double>(confidence_bounds));
   command
       .add_option("--blocks", arguments.blocks,
-                  "Unit of resampling: queries (to generalise to other queries) or classes (to other classes)")
+                  "Unit of resampling: queries (results hold for other queries of these classes) or classes (also for "
+                  "other classes)")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
-  command.add_option("--resamples", arguments.resampling.resamples, "Number of bootstrap and randomisation resamples")
+  command
+      .add_option("--resamples", arguments.resampling.resamples,
+                  "Number of random resamples for confidence intervals and significance tests; more resamples are more "
+                  "precise, but slower")
       ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
       ->capture_default_str();
   add_seed_option(command, arguments.resampling.seed);

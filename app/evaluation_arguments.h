@@ -42,7 +42,7 @@ inline constexpr std::array<std::string_view, 15> options_of_distances{
     "--missing-queries", "--all-queries", "--min-class-size"};
 
 /// Returns those of the named `options` that were given on the command line, to report that they do not apply.
-std::vector<std::string> given_options(const CLI::App& command, std::span<const std::string_view> options);
+std::vector<std::string> used_options(const CLI::App& command, std::span<const std::string_view> options);
 
 /// Values of the options of resampling, as given on the command line.
 struct ResamplingArguments {

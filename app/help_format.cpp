@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "app/terminal.h"
@@ -81,7 +82,7 @@ std::string entry(const std::string& name, const std::string& description) {
 std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
   for (const CLI::Option* option : options) {
-    if (!option->get_group().empty()) names.push_back(option->get_name());
+    if (!is_hidden(*option)) names.push_back(option->get_name());
   }
   std::ranges::sort(names);
   return names;
@@ -133,6 +134,12 @@ std::string HelpFormat::make_option(const CLI::Option* option, bool is_positiona
   return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
 }
 
+std::string HelpFormat::make_group(std::string heading, bool is_positional,
+                                   std::vector<const CLI::Option*> options) const {
+  return heading == hidden_options ? ""
+                                   : CLI::Formatter::make_group(std::move(heading), is_positional, std::move(options));
+}
+
 std::string HelpFormat::make_subcommand(const CLI::App* command) const {
   return entry(command->get_name(), command->get_description());
 }
@@ -171,5 +178,7 @@ std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
 }
 
 void begin_option_group(CLI::App& command, const std::string& heading) { command.option_defaults()->group(heading); }
+
+bool is_hidden(const CLI::Option& option) { return option.get_group() == hidden_options; }
 
 }  // namespace shapegauge

@@ -21,6 +21,9 @@ class HelpFormat : public CLI::Formatter {
   [[nodiscard]] std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   /// Formats an option or, if `is_positional`, an argument, with its description.
   [[nodiscard]] std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  /// Formats a group of options; returns nothing for hidden_options.
+  [[nodiscard]] std::string make_group(std::string heading, bool is_positional,
+                                       std::vector<const CLI::Option*> options) const override;
   [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;  ///< name and description
   [[nodiscard]] std::string make_footer(const CLI::App* app) const override;  ///< notes and examples, with broken lines
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;  ///< type of an option's value
@@ -36,5 +39,12 @@ inline constexpr const char* input_options = "Input";              ///< heading 
 inline constexpr const char* output_options = "Output";            ///< heading of options on output files
 inline constexpr const char* computation_options = "Computation";  ///< heading of options on how results are computed
 /// @}
+
+/// Group of options that no help shows, such as older names. With CLI11's own hidden group, which is "", an option has
+/// no name in error messages.
+inline constexpr const char* hidden_options = "Hidden";
+
+/// Returns true for options of the group hidden_options.
+bool is_hidden(const CLI::Option& option);
 
 }  // namespace shapegauge

@@ -202,9 +202,9 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
                      "Output: a page (.html), or a folder for a site with one page per method");
   command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
   command.add_option("--rank-by", arguments.rank_by,
-                     "Measure that determines the ranks (default: mAP, or the first measure)");
+                     "Measure that determines the ranks (default: mAP if computed, otherwise the first measure)");
   command.add_flag("--hide-classes", arguments.hide_classes,
-                   "Omit classes, scores per class and pages of methods, for a running challenge");
+                   "Keep classes secret in a running challenge: omit scores per class and pages of methods");
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);
@@ -222,10 +222,11 @@ void add_leaderboard_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command
       ->add_option("submissions", arguments->submissions,
-                   "Distances, features or ranked lists, or folders of them; without --labels and --qrels, folders of "
-                   "data sets with labels.* or qrels.*")
+                   "Files of distances, features or ranked lists, or folders of them; without --labels and --qrels, "
+                   "folders of data sets with labels.* or qrels.*")
       ->required();
   add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
+  command->get_option("--missing-queries")->description("Score of queries without a ranked list; only zero is allowed");
   add_resampling_options(*command, arguments->resampling);
   add_leaderboard_options(*command, *arguments);
   command->callback([arguments, &status] {

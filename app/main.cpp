@@ -128,8 +128,8 @@ bool lacks_command(const CLI::App& app) {
   return chosen.empty() ? !commands_of(app).empty() : lacks_command(*chosen.front());
 }
 
-int parse_and_run(CLI::App& app, std::span<const std::string> given) {
-  std::vector<std::string> arguments = without_help_command(given);
+int parse_and_run(CLI::App& app, std::span<const std::string> raw_arguments) {
+  std::vector<std::string> arguments = without_help_command(raw_arguments);
   if (const auto unknown = unknown_word(app, arguments)) return report(*unknown, exit_unusable_input);
   std::ranges::reverse(arguments);  // the parser takes them from the back
   try {

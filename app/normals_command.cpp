@@ -23,11 +23,11 @@ struct NormalsArguments {
   CleaningArguments cleaning;
 };
 
-void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write,
-                   const RequestedOffset& given_offset, const Shape& given, const ShapeJob& job, Remarks& remarks) {
-  const Shape shape = cleaned(given, arguments.cleaning, given_offset.is_automatic(), remarks);
+void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, const RequestedOffset& offset,
+                   const Shape& input_shape, const ShapeJob& job, Remarks& remarks) {
+  const Shape shape = cleaned(input_shape, arguments.cleaning, offset.is_automatic(), remarks);
   const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
-  const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
+  const ChosenOffset chosen = choose_offset(offset.fraction_of(shape), shape);
   FieldSettings settings = field_settings("offset_sdf");
   settings.values.set("offset", chosen.offset);
   FieldSource source(shape);
@@ -47,17 +47,18 @@ void add_normals_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<NormalsArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".csv (index,nx,ny,nz,weight), .npy, .ply (the shape with normals) or .xyz (points with normals)");
+                    ".csv (index, nx, ny, nz, area weight), .npy, .ply (the shape with normals) or .xyz (points "
+                    "with normals)");
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);
   add_offset_option(*command, arguments->offset);
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status] {
     arguments->offset.unit_of_files = set_unit_from_format(arguments->offset.unit, arguments->files.inputs);
-    const RequestedOffset given = parse_offset(arguments->offset);
+    const RequestedOffset offset = parse_offset(arguments->offset);
     const NormalFileWriter write = normal_file_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-      write_normals(*arguments, write, given, shape, job, remarks);
+      write_normals(*arguments, write, offset, shape, job, remarks);
     });
   });
 }

@@ -49,7 +49,9 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 }
 
 void add_site_option(CLI::App& command, std::string& site) {
-  command.add_option("--at", site, "Elements of a mesh that get one result each; clouds: their points")
+  command
+      .add_option("--at", site,
+                  "Samples of a mesh: centroids of faces, or vertices; clouds are always sampled at their points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
       ->capture_default_str();
 }
@@ -73,15 +75,18 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
-  command.add_flag("--denoise", arguments.denoise, "Smooth clearly noisy meshes first")->group(computation_options);
+  command.add_flag("--denoise", arguments.denoise, "First smooth meshes that are clearly noisy")
+      ->group(computation_options);
   command
       .add_flag("--remove-outliers", arguments.remove_outliers,
-                "Remove isolated points of clouds first, as --offset auto does")
+                "First remove isolated points of clouds, as --offset auto always does")
       ->group(computation_options);
 }
 
 void add_unit_option(CLI::App& command, std::string& unit) {
-  command.add_option("--unit", unit, "Unit of the files' coordinates, for formats without units (STL, OBJ)")
+  command
+      .add_option("--unit", unit,
+                  "Unit of the files' coordinates, required for lengths such as 2mm; glTF files are always in m")
       ->check(one_of(length_unit_names()))
       ->group(input_options);
 }
@@ -91,22 +96,22 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
   return command
       .add_option("--offset", arguments.offset,
                   "Distance of the offset surface from the shape: a fraction of the bounding-box diagonal (0.03 or "
-                  "3%), a length (0.5mm; requires "
-                  "--unit), or auto (from gaps and noise)")
+                  "3%), a length (0.5mm; requires --unit), or auto (chosen from gaps and noise)")
       ->capture_default_str();
 }
 
 void add_colour_options(CLI::App& command, ColourArguments& arguments) {
   command
       .add_option("--range", arguments.range,
-                  "Values at the ends of the colour map, such as 0,4 or 0.5mm,4mm (default: 2nd and 98th percentile by "
-                  "area)")
+                  "Values at the ends of the colour map, such as 0,4 (file units) or 0.5mm,4mm (default: 2nd and 98th "
+                  "percentile, weighted by area)")
       ->type_name("LOW,HIGH");
-  command.add_option("--scale", arguments.scale, "Scale of the colour map")
+  command.add_option("--scale", arguments.scale, "Scale of the colour map: linear or logarithmic")
       ->check(one_of({"linear", "log"}))
       ->capture_default_str();
   command
-      .add_option("--below", arguments.below, "Thickness below which parts are red, such as 2 (in file units) or 2mm")
+      .add_option("--below", arguments.below,
+                  "Thickness below which the surface is red, such as 2 (file units) or 2mm (requires --unit)")
       ->type_name("LENGTH");
 }
 

@@ -48,33 +48,37 @@ std::string parameter_help_text(const Parameter& parameter, bool with_default) {
   if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);
   with_default &= !parameter.required();
   const std::string usual = with_default ? "; default: " + to_string(parameter.default_value) : "";
-  const std::string values = legal_values(parameter);
-  const std::size_t article = values.starts_with("a ") ? 2 : 0;
-  return fmt::format("{} ({}{})", without_full_stop(parameter.description), values.substr(article), usual);
+  // The option's type says that the value is a number.
+  const std::string legal = legal_values(parameter);
+  std::string_view values = legal;
+  for (const std::string_view words : {"a ", "whole ", "number ", "from "}) {
+    if (values.starts_with(words)) values.remove_prefix(words.size());
+  }
+  return fmt::format("{} ({}{})", without_full_stop(parameter.description), values, usual);
 }
 
-CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
+CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& target,
                                   std::string names, std::string meaning) {
   if (names.empty()) names = option_name(parameter.name);
   if (meaning.empty()) meaning = parameter_help_text(parameter);
-  const auto fill_in = [&given] { given.text = "true"; };
+  const auto fill_in = [&target] { target.text = "true"; };
   CLI::Option* const option = parameter.kind == ParameterKind::boolean
                                   ? command.add_flag_callback(names, fill_in, meaning)
-                                  : command.add_option(names, given.text, meaning);
+                                  : command.add_option(names, target.text, meaning);
   if (parameter.kind != ParameterKind::boolean) {
     option->type_name(type_name_of(parameter.kind));
     option->each([name = option->get_name(), parameter](const std::string& text) {
       if (text.empty()) throw InputError(fmt::format("{} is empty; it must be {}", name, legal_values(parameter)));
     });
   }
-  given.option = option->get_name();
+  target.option = option->get_name();
   return option;
 }
 
-ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
+ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& texts,
                                  std::string_view subject) {
   ParameterValues values(parameters);
-  for (const auto& [name, value] : given) {
+  for (const auto& [name, value] : texts) {
     if (value.text.empty()) continue;
     const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
     if (parameter == parameters.end())

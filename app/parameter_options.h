@@ -45,16 +45,16 @@ CLI::Validator within(const Bounds& bounds) {
 /// Returns a validator that an option's value is one of the words. Its error message suggests the most similar word.
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// Adds an option for a parameter, or a flag for a boolean one, which stores its text in `given`. `names` has CLI11's
+/// Adds an option for a parameter, or a flag for a boolean one, which stores its text in `target`. `names` has CLI11's
 /// syntax; if empty, the name is `--` and the parameter's name. `meaning` is the help text; if empty,
 /// parameter_help_text().
-CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
+CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& target,
                                   std::string names = {}, std::string meaning = {});
 
 /// Parses the texts of options to values of `parameters`, with defaults for those without a text. `subject` follows
 /// "applies to" in messages. Throws InputError for an invalid text, and for an option whose parameter is not in
 /// `parameters`.
-ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
+ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& texts,
                                  std::string_view subject);
 
 }  // namespace shapegauge

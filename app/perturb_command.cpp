@@ -18,6 +18,7 @@
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/up_axis.h"
@@ -54,25 +55,31 @@ std::vector<StepOptions> all_steps() {
   return steps;
 }
 
-/// Requested perturbation of one kind.
-struct AskedStep {
+/// Arguments for one kind of perturbation.
+struct StepArguments {
   const ShapePerturbation* kind;
-  bool wanted = false;
+  bool requested = false;
   ParameterTexts settings = {};
 };
 
 struct PerturbArguments {
   ShapeFiles files{.output_format = "off"};
   std::uint64_t seed = 1;
-  std::deque<AskedStep> steps = {};  ///< filled by the options
+  std::deque<StepArguments> steps = {};  ///< filled by the options
 };
 
+/// Help text of the first option of a kind of perturbation: "Cut round holes: number of holes (0 to 100000)".
+std::string first_option_text(const ShapePerturbation& kind) {
+  const std::string value = parameter_help_text(kind.parameters.front(), false);
+  return fmt::format("{}: {}{}", without_full_stop(kind.description), lower_case(value.substr(0, 1)), value.substr(1));
+}
+
 /// Adds the options of one kind of perturbation.
-void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& step) {
+void add_step_options(CLI::App& command, const StepOptions& options, StepArguments& step) {
   const std::string type_option = option_name(options.type);
   const auto parameters = step.kind->parameters;
   if (parameters.empty()) {
-    command.add_flag(type_option, step.wanted, without_full_stop(step.kind->description));
+    command.add_flag(type_option, step.requested, without_full_stop(step.kind->description));
     return;
   }
   CLI::Option* first = nullptr;
@@ -80,12 +87,11 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
     const Parameter& parameter = parameters[i];
     const std::string made = i == 0 ? type_option : option_name(fmt::format("{}_{}", options.type, parameter.name));
     const std::string name = i < options.names.size() ? std::string(options.names[i]) : made;
-    const std::string meaning =
-        i == 0 ? fmt::format("{} {}", step.kind->description, parameter_help_text(parameter, false)) : "";
+    const std::string meaning = i == 0 ? first_option_text(*step.kind) : "";
     CLI::Option* const option =
         add_parameter_option(command, parameter, step.settings[std::string(parameter.name)], name, meaning);
     if (first == nullptr)
-      first = option->each([&step](const std::string& /*text*/) { step.wanted = true; });
+      first = option->each([&step](const std::string& /*text*/) { step.requested = true; });
     else
       option->needs(first);
   }
@@ -94,8 +100,8 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
 /// Returns the requested steps.
 std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
   std::vector<Perturbation> steps;
-  for (const AskedStep& step : arguments.steps) {
-    if (!step.wanted) continue;
+  for (const StepArguments& step : arguments.steps) {
+    if (!step.requested) continue;
     steps.push_back(
         {.type = step.kind, .values = parameter_values(step.kind->parameters, step.settings, step.kind->name)});
   }
@@ -130,7 +136,7 @@ void add_perturb_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Perturbations");
   add_seed_option(*command, arguments->seed);
   for (const StepOptions& options : all_steps()) {
-    AskedStep& step = arguments->steps.emplace_back(AskedStep{.kind = &shape_perturbations().at(options.type)});
+    StepArguments& step = arguments->steps.emplace_back(StepArguments{.kind = &shape_perturbations().at(options.type)});
     add_step_options(*command, options, step);
   }
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -143,12 +143,14 @@ void add_rerank_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Method");
   command
       ->add_option("--method", arguments->method,
-                   "diffusion: random walks; k_reciprocal: mutual neighbours; query_expansion: means of nearest rows")
+                   "Method. diffusion: random walks between neighbours; k_reciprocal: overlap of mutual neighbours; "
+                   "query_expansion: means of the nearest models' rows")
       ->check(one_of(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
   command->add_flag("--sparse", arguments->sparse,
-                    "diffusion: use the sparse solver (less memory) for 5,000 models or fewer too");
+                    "diffusion: Always use the sparse solver, which needs less memory and writes .npy only (default: "
+                    "above 5,000 models)");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
 }

@@ -244,7 +244,8 @@ CLI::Option* add_cache_and_part(CLI::App& command, RunArguments& arguments, CLI:
           ->excludes("--cache")
           ->group(computation_options);
   return add_part_option(command, arguments.part,
-                         "Compute only part K/N of the work, into the cache; auto: from Slurm or mpirun")
+                         "Compute only share K of N (K/N, such as 1/4) of the work, into the cache; auto: K and N from "
+                         "Slurm or mpirun")
       ->excludes(no_cache)
       ->excludes(plot);
 }
@@ -262,25 +263,27 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* configuration = command->add_option("configuration", arguments->source.configuration,
                                                    "Configuration file (JSON); required without --replay");
   begin_option_group(*command, output_options);
-  command->add_option("-o,--output", arguments->output, "Folder for the results (default: results/<name>)");
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the results (default: results/NAME, where NAME is the experiment's name)");
   add_threads_option(*command, arguments->threads);
   begin_option_group(*command, input_options);
   command
       ->add_option("--set", arguments->source.overrides,
-                   "Override a value: dotted.key=value, such as signatures[Sum].scale=ranks; paths are relative to the "
-                   "working directory")
+                   "Override a value of the configuration: dotted.key=value, such as signatures[Sum].scale=ranks for "
+                   "the signature named Sum; files are relative to the working directory; repeatable")
       ->allow_extra_args(false);
   begin_option_group(*command, output_options);
   CLI::Option* const plot = command->add_option("--plot", arguments->plot,
                                                 "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace,
-                    "Overwrite --plot, and results of another configuration in the folder (default: stop)");
-  command->add_flag("--force", arguments->force, "Like --replace, and compute everything again");
+                    "Overwrite the file of --plot, and results of another configuration in the folder (default: stop)");
+  command->add_flag("--force", arguments->force,
+                    "Like --replace, and compute all results again without reading the cache");
   CLI::Option* const part = add_cache_and_part(*command, *arguments, plot);
   begin_option_group(*command, "Without a run");
   command->add_flag("--dry-run", arguments->dry_run, "Check the configuration, read all inputs, and exit");
   command->add_flag("--print-config", arguments->print_configuration,
-                    "Print the configuration with defaults and --set, and exit");
+                    "Print the configuration with defaults and --set applied, then exit");
   begin_option_group(*command, "Replay");
   command
       ->add_option("--replay", arguments->source.replay, "manifest.json of a run to repeat, instead of a configuration")

@@ -140,7 +140,7 @@ FieldPicture upright_picture(FieldPicture picture, const SdfArguments& arguments
 bool is_offset_sdf(const SdfArguments& arguments) { return arguments.method == "offset_sdf"; }
 
 /// Makes the requested field. `offset` is that of the offset SDF; automatic if absent.
-Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) {
+Field requested_field(const SdfArguments& arguments, std::optional<double> offset) {
   FieldSettings settings = field_settings(arguments.method);
   settings.samples.site = value_of_word<SampleSite>(arguments.site).value();
   settings.values = parameter_values(settings.values.parameters(), arguments.settings, "--method " + arguments.method);
@@ -156,10 +156,11 @@ struct Computed {
   FieldValues field;
 };
 
-Computed compute(const SdfArguments& arguments, const RequestedOffset& given_offset, const Shape& shape) {
+Computed compute(const SdfArguments& arguments, const RequestedOffset& offset, const Shape& shape) {
   Computed computed;
-  if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset.fraction_of(shape), shape);
-  const Field field = wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
+  if (is_offset_sdf(arguments)) computed.chosen = choose_offset(offset.fraction_of(shape), shape);
+  const Field field =
+      requested_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
   computed.samples = take_samples(shape, field.settings.samples);
   FieldSource source(shape);
   computed.field = field.compute(source, computed.samples, true);
@@ -190,11 +191,11 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
 /// Adds --output, --summary, --format and --plot.
 void add_outputs(CLI::App& command, SdfArguments& arguments) {
   add_shape_outputs(command, arguments.files,
-                    ".csv (index, value, weight), .npy, .ply (coloured mesh or points) or .png (picture)")
+                    ".csv (index, value, area weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
-  command.add_flag(
-      "--summary", arguments.summary,
-      "Print minimum, percentiles, maximum, mean, and the area below --below; implied without -o and --plot");
+  command.add_flag("--summary", arguments.summary,
+                   "Print minimum, percentiles, maximum, mean and the area thinner than --below; implied if neither -o "
+                   "nor --plot is given");
   add_format_option(command, arguments.format, "Format of the printed result");
   command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
 }
@@ -202,13 +203,13 @@ void add_outputs(CLI::App& command, SdfArguments& arguments) {
 /// Adds the options of colours, legend, size and view.
 void add_picture_options(CLI::App& command, SdfArguments& arguments) {
   add_colour_options(command, arguments.colours);
-  command.add_flag("--no-legend", arguments.no_legend, "Omit the legend of a .png");
-  command.add_option("--picture-size", arguments.picture_size, "Width and height of a .png, in pixels")
+  command.add_flag("--no-legend", arguments.no_legend, "Omit the colour legend in .png pictures");
+  command.add_option("--picture-size", arguments.picture_size, "Width and height of .png pictures, in pixels")
       ->capture_default_str();
   command
       .add_option("--view", arguments.view,
-                  "Direction from the shape to the viewer of a .png (default: towards its broad side, slightly from "
-                  "above)")
+                  "Direction from the shape to the viewer in .png pictures, such as 0,0,1 (default: facing the broad "
+                  "side, slightly from above)")
       ->type_name("X,Y,Z");
   add_up_option(command, arguments.up);
 }
@@ -285,15 +286,14 @@ int run(SdfArguments& arguments) {
   check_outputs(arguments);
   arguments.offset.unit_of_files = set_unit_from_format(arguments.offset.unit, arguments.files.inputs);
   const FieldPicture picture = picture_of(arguments);
-  const RequestedOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : RequestedOffset{};
-  wanted_field(arguments, given_offset.fraction);  // reports wrong settings before any file is read
+  const RequestedOffset offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : RequestedOffset{};
+  requested_field(arguments, offset.fraction);  // reports wrong settings before any file is read
   const fs::path name = arguments.files.output.empty() ? fs::path() : output_name(arguments.files);
   if (!name.empty()) (void)field_file_writer(name);  // reports a wrong extension
   std::vector<std::optional<Measured>> measured(arguments.files.inputs.size());
-  const int status = for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
-    const Shape shape =
-        cleaned(given, arguments.cleaning, is_offset_sdf(arguments) && given_offset.is_automatic(), remarks);
-    Computed computed = compute(arguments, given_offset, shape);
+  const int status = for_each_shape(arguments.files, [&](const Shape& input, const ShapeJob& job, Remarks& remarks) {
+    const Shape shape = cleaned(input, arguments.cleaning, is_offset_sdf(arguments) && offset.is_automatic(), remarks);
+    Computed computed = compute(arguments, offset, shape);
     if (!name.empty()) {
       const FieldFileWriter write = field_file_writer(name, upright_picture(picture, arguments, job.input));
       write(job.output, shape, computed.samples, computed.field.values);
@@ -345,8 +345,9 @@ void add_sdf_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Colours and pictures");
   add_picture_options(*command, *arguments);
   begin_option_group(*command, output_options);
-  command->add_option("--timings", arguments->timings,
-                      "JSON file for run times, sample outcomes and the diagnostics of 'info'");
+  command->add_option(
+      "--timings", arguments->timings,
+      "JSON file for run times, numbers of samples without a value and what 'shapegauge info' prints; one shape only");
   command->callback([arguments, &status, offset] {
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not apply to --method " + arguments->method);

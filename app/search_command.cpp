@@ -222,15 +222,17 @@ class SearchRun {
 
 void add_method_options(CLI::App& command, SearchArguments& arguments) {
   CLI::Option* articulated = command.add_flag("--articulated", arguments.articulated,
-                                              "Ignore poses: use the recommended method for articulated shapes");
+                                              "Use the recommended pose-invariant method, for articulated shapes");
   for (CLI::Option* option :
-       {command.add_option("--method", arguments.method)->group(""),  // the older name
+       {command.add_option("--method", arguments.method)->group(hidden_options),  // the older name
         command.add_option("--configuration", arguments.method,
-                           "Configuration file with the method (default: the recommended method)"),
+                           "Configuration of a retrieval experiment that defines the search method; --signature "
+                           "selects the signature (default: the recommended method)"),
         command.add_option("--signature", arguments.signature,
-                           "Name of a signature in --configuration (default: its last suitable one)"),
+                           "Name of the signature in --configuration to compare shapes by (default: the last suitable "
+                           "one; re-ranked and fused ones are not)"),
         command.add_option("--set", arguments.settings,
-                           "Override a value of the --configuration, key=value; repeatable")}) {
+                           "Override a value of --configuration: dotted.key=value; repeatable")}) {
     articulated->excludes(option);
   }
 }
@@ -245,22 +247,26 @@ void add_search_command(CLI::App& app, int& status) {
       "Distances are comparable only within one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
-      ->add_option(
-          "paths", arguments->paths,
-          "Query files, followed by the collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json)")
+      ->add_option("paths", arguments->paths,
+                   "Query files, if any, followed by the collection: a folder, a list of files (.txt) or a data set "
+                   "(.cla, .csv, .json)")
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-k,--count", arguments->count, "Number of results per query")
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
-  command->add_flag("--rerank", arguments->rerank, "Re-rank results by diffusion over the collection's distances");
+  command->add_flag("--rerank", arguments->rerank,
+                    "Re-rank results by diffusion, using the distances between all shapes of the collection");
   add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_up_option(*command, arguments->up);
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
-  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
-  command->add_flag("--no-update", arguments->no_update, "Use the index without checking for changed files");
+  command->add_option("--index", arguments->index,
+                      "Index file, created or updated as needed (default: next to the collection, such as "
+                      "models.search-index)");
+  command->add_flag("--no-update", arguments->no_update,
+                    "Use the index as it is, without checking the collection for changed files");
   add_method_options(*command, *arguments);
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);

@@ -73,10 +73,10 @@ constexpr auto parameters = parameters_of(segmentation_table);
 
 /// Returns the options without the offset. Throws InputError for a setting of the other method.
 SegmentationOptions options_of(const SegmentArguments& arguments) {
-  for (const auto& [name, given] : arguments.settings) {
+  for (const auto& [name, value] : arguments.settings) {
     const std::optional<SegmentationAlgorithm> only = algorithm_with(name);
-    if (given.text.empty() || !only || word_of(*only) == arguments.method) continue;
-    throw InputError(fmt::format("{} requires --method {}", given.option, word_of(*only)));
+    if (value.text.empty() || !only || word_of(*only) == arguments.method) continue;
+    throw InputError(fmt::format("{} requires --method {}", value.option, word_of(*only)));
   }
   SegmentationOptions options =
       options_from(segmentation_table, parameter_values(parameters, arguments.settings, "segment"));
@@ -88,10 +88,10 @@ bool uses_offset(const SegmentationOptions& options) {
   return options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset;
 }
 
-void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
-             const ShapeJob& job, Remarks& remarks) {
+void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write,
+             const Shape& input_shape, const ShapeJob& job, Remarks& remarks) {
   const RequestedOffset offset = parse_offset(arguments.offset);
-  const Shape shape = cleaned(given, arguments.cleaning, uses_offset(options) && offset.is_automatic(), remarks);
+  const Shape shape = cleaned(input_shape, arguments.cleaning, uses_offset(options) && offset.is_automatic(), remarks);
   if (uses_offset(options)) {
     const ChosenOffset chosen = choose_offset(offset.fraction_of(shape), shape);
     options.offset = chosen.offset;
@@ -126,13 +126,14 @@ void add_segment_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SegmentArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".seg (one part number per line, by face), .ply or .png (coloured parts)")
+                    ".seg (one line per face or point with the number of its part), .ply or .png (coloured parts)")
       ->required(false);
   add_up_option(*command, arguments->up);
   begin_option_group(*command, "Method");
   command
       ->add_option("--method", arguments->method,
-                   "best: semantic parts; paper: clusters of patches of similar thickness")
+                   "Method. best: semantic parts such as limbs; paper: clusters of patches of similar thickness (Chen "
+                   "et al. 2018)")
       ->check(one_of(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
   for (const Parameter& parameter : parameters) {

@@ -113,7 +113,8 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
   command->add_option("segmentations", arguments->folders,
-                      "Folders with N.seg for every mesh, one per method (default: only people)");
+                      "Folders of segmentations, one per method, with N.seg for each mesh N.off (default: compare "
+                      "only human segmentations)");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,
@@ -125,7 +126,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
                    "Weight of a triangle: 1 (faces), as in the benchmark's tables, or its area")
       ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
-  command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");
+  command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, the slowest error measure");
   begin_option_group(*command, output_options);
   add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors on each mesh");

@@ -160,7 +160,7 @@ CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::
           ->required();
   command
       .add_option("--output-format", files.output_format,
-                  "Format of results in a folder or on standard output; see --output")
+                  "Format of results in a folder or on standard output, as an extension without the dot")
       ->capture_default_str();
   command.add_flag("--replace", files.replace, "Overwrite existing files");
   return output;

@@ -53,11 +53,11 @@ std::string printable_lines(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\n\t\x1b", 1), text.size());
     std::string_view piece = text.substr(0, end);
-    for (const std::string_view kept :
+    for (const std::string_view allowed :
          {std::string_view("\n"), std::string_view("\t"), terminal_bold, terminal_plain}) {
-      if (!piece.starts_with(kept)) continue;
-      shown += kept;
-      piece.remove_prefix(kept.size());
+      if (!piece.starts_with(allowed)) continue;
+      shown += allowed;
+      piece.remove_prefix(allowed.size());
       break;
     }
     shown += printable(piece);

@@ -54,7 +54,7 @@ struct ViewArguments {
 };
 
 /// Requested field.
-struct WantedField {
+struct RequestedField {
   std::string name;  ///< name on the page
   FieldSettings settings;
   bool chooses_offset = false;  ///< uses --offset
@@ -71,7 +71,7 @@ Json field_settings_of(const std::string& text, const std::string& source) {
   return settings;
 }
 
-WantedField wanted_field(const std::string& text) {
+RequestedField parse_field(const std::string& text) {
   const std::string source = fmt::format("--field {}", text);
   Json settings = field_settings_of(text, source);
   const bool chooses_offset =
@@ -95,27 +95,27 @@ WantedField wanted_field(const std::string& text) {
 }
 
 /// Returns the fields of --field or, without any, the two SDFs.
-std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offset_given) {
-  if (arguments.fields.empty()) return {wanted_field("offset_sdf"), wanted_field("cone_sdf")};
-  std::vector<WantedField> fields;
+std::vector<RequestedField> requested_fields(const ViewArguments& arguments, bool has_offset) {
+  if (arguments.fields.empty()) return {parse_field("offset_sdf"), parse_field("cone_sdf")};
+  std::vector<RequestedField> fields;
   for (const std::string& text : arguments.fields) {
-    WantedField field = wanted_field(text);
-    if (std::ranges::find(fields, field.settings, &WantedField::settings) != fields.end()) {
+    RequestedField field = parse_field(text);
+    if (std::ranges::find(fields, field.settings, &RequestedField::settings) != fields.end()) {
       throw InputError(fmt::format("--field {} is repeated; omit one", text));
     }
     fields.push_back(std::move(field));
   }
-  if (offset_given && std::ranges::none_of(fields, &WantedField::chooses_offset)) {
+  if (has_offset && std::ranges::none_of(fields, &RequestedField::chooses_offset)) {
     throw InputError("--offset requires a --field offset_sdf without its own offset");
   }
   return fields;
 }
 
 /// Adds a field to the view, with the normals of the first one that estimates them.
-void add_field(const WantedField& wanted, const RequestedOffset& offset, const ColourChoice& colours,
+void add_field(const RequestedField& request, const RequestedOffset& offset, const ColourChoice& colours,
                FieldSource& source, const Samples& samples, ShapeView& view, Remarks& remarks) {
-  FieldSettings settings = wanted.settings;
-  if (wanted.chooses_offset) {
+  FieldSettings settings = request.settings;
+  if (request.chooses_offset) {
     const ChosenOffset chosen = choose_offset(offset.fraction_of(source.shape()), source.shape());
     settings.values.set("offset", chosen.offset);
     remark_on(chosen, remarks);
@@ -130,22 +130,22 @@ void add_field(const WantedField& wanted, const RequestedOffset& offset, const C
                                              .logarithmic = colours.logarithmic,
                                              .threshold = is_length ? colours.threshold : std::nullopt});
   for (const std::string& warning : outcome_warnings(computed.outcomes)) {
-    remarks.warnings.push_back(fmt::format("{}: {}", wanted.name, warning));
+    remarks.warnings.push_back(fmt::format("{}: {}", request.name, warning));
   }
-  view.fields.push_back({.name = wanted.name,
+  view.fields.push_back({.name = request.name,
                          .values = std::move(computed.values),
                          .colours = {scale.low, scale.high},
                          .set_range = is_length && colours.range.has_value(),
                          .logarithmic = scale.logarithmic,
                          .threshold = scale.threshold,
-                         .measured_by = is_length ? measured_by(wanted.settings.type) : ""});
+                         .measured_by = is_length ? measured_by(request.settings.type) : ""});
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 
 /// Adds parts as `shapegauge segment` computes them; remarks on shapes that cannot be segmented.
-void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
+void add_parts(int count, ShapeView& view, Remarks& remarks) {
   try {
-    const std::vector<std::int32_t> labels = part_segmentation(view.shape, {.parts = wanted});
+    const std::vector<std::int32_t> labels = part_segmentation(view.shape, {.parts = count});
     const std::vector<Colour> colours = colour_of_each_label(surface_graph(view.shape), labels);
     view.parts = {{.name = "Parts", .labels = labels, .colours = colours}};
   } catch (const InputError& error) {
@@ -153,12 +153,12 @@ void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   }
 }
 
-ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields,
-                   const RequestedOffset& offset, const ColourChoice& colours, const Shape& given, const ShapeJob& job,
-                   Remarks& remarks) {
-  const bool automatic = offset.is_automatic() && std::ranges::any_of(fields, &WantedField::chooses_offset);
+ShapeView measured(const ViewArguments& arguments, const std::vector<RequestedField>& fields,
+                   const RequestedOffset& offset, const ColourChoice& colours, const Shape& input_shape,
+                   const ShapeJob& job, Remarks& remarks) {
+  const bool automatic = offset.is_automatic() && std::ranges::any_of(fields, &RequestedField::chooses_offset);
   ShapeView view{.name = fs::path(job.input).filename().string(),
-                 .shape = cleaned(given, arguments.cleaning, automatic, remarks)};
+                 .shape = cleaned(input_shape, arguments.cleaning, automatic, remarks)};
   const bool cloud = is_cloud(view.shape);
   view.up = up_direction(value_of_word<UpAxis>(arguments.up).value(), job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
@@ -166,21 +166,21 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
     throw InputError("nothing to show: the points of the shape all coincide");
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
-  for (const WantedField& field : fields) {
+  for (const RequestedField& field : fields) {
     // Silently skips a default field that clouds do not have.
     if (cloud && arguments.fields.empty() && field.settings.type == "cone_sdf") continue;
     add_field(field, offset, colours, source, samples, view, remarks);
   }
   const bool measures_hull =
-      std::ranges::any_of(fields, [](const WantedField& field) { return field.settings.type == "offset_sdf"; });
+      std::ranges::any_of(fields, [](const RequestedField& field) { return field.settings.type == "offset_sdf"; });
   remark_on_cavities(view.shape, measures_hull, remarks);
   if (view.normals.rows() == 0) view.normals = samples.normals;
   const Eigen::Index count = samples.points.rows();
   view = coarse_view(std::move(view), samples, arguments.max_faces);
   if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);  // of what is shown: they would take longest
-  const Eigen::Index kept = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
+  const Eigen::Index shown = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
   const std::string counts = fmt::format("{} {}", count, cloud ? "points" : "faces");
-  view.note = fmt::format("{}{}{}", kept < count ? fmt::format("{} of which {} are shown", counts, kept) : counts,
+  view.note = fmt::format("{}{}{}", shown < count ? fmt::format("{} of which {} are shown", counts, shown) : counts,
                           view.note.empty() ? "" : ", ", view.note);
   return view;
 }
@@ -203,10 +203,10 @@ fs::path page_of(const ViewArguments& arguments) {
   throw InputError(fmt::format("cannot write {}: the name of a page must end in .html", output.string()));
 }
 
-int run(ViewArguments& arguments, bool offset_given) {
+int run(ViewArguments& arguments, bool has_offset) {
   const bool is_named = !arguments.output.empty();
   arguments.output = page_of(arguments);
-  const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
+  const std::vector<RequestedField> fields = requested_fields(arguments, has_offset);
   arguments.offset.unit_of_files = set_unit_from_format(arguments.offset.unit, arguments.files.inputs);
   const RequestedOffset offset = parse_offset(arguments.offset);
   const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
@@ -253,17 +253,18 @@ void add_view_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output,
-                      "Output file: .html; - for standard output (default: NAME.html in the working folder)");
+                      "Output file: .html; - for standard output; required for several shapes (default: NAME.html in "
+                      "the working folder)");
   add_replace_option(*command, arguments->files.replace);
   begin_option_group(*command, "Method");
   command
       ->add_option("--field", arguments->fields,
-                   "Field to show, with settings as in a configuration, such as offset_sdf,offset=0.03; repeatable "
-                   "(default: offset_sdf and, for meshes, cone_sdf)")
+                   "Scalar field that colours the shapes, with settings as in a configuration, such as "
+                   "offset_sdf,offset=0.03; repeatable (default: offset_sdf and, for meshes, cone_sdf)")
       ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
   CLI::Option* parts =
-      command->add_option("--parts", arguments->parts, "Number of parts of the segmentation; 0 for automatic")
+      command->add_option("--parts", arguments->parts, "Number of parts to segment the shapes into; 0 for automatic")
           ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
           ->capture_default_str();
   command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);

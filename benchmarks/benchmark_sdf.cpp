@@ -33,7 +33,8 @@ using namespace shapegauge;
 
 /// A shape with its samples.
 struct Input {
-  explicit Input(Shape given, SampleSite site) : shape(std::move(given)), samples(sample_shape(shape, site)) {}
+  explicit Input(Shape input_shape, SampleSite site)
+      : shape(std::move(input_shape)), samples(sample_shape(shape, site)) {}
   Shape shape;
   Samples samples;
 };
@@ -43,8 +44,8 @@ void cast_one_ray_each(const Input& input) {
   const RayCaster caster(input.shape);
   double sum = 0;
   for (Eigen::Index f = 0; f < input.samples.points.rows(); ++f) {
-    const std::array own{static_cast<std::int32_t>(f)};
-    sum += caster.first_hit(input.samples.points.row(f), -input.samples.normals.row(f), own).distance;
+    const std::array skipped{static_cast<std::int32_t>(f)};
+    sum += caster.first_hit(input.samples.points.row(f), -input.samples.normals.row(f), skipped).distance;
   }
   benchmark::DoNotOptimize(sum);
 }

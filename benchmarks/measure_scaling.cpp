@@ -34,8 +34,8 @@ Signatures make_signatures(std::size_t models, int bins) {
     const double width = bins * (0.02 + 0.1 * of_class.uniform(0, 1));
     auto row = signatures.row(static_cast<Eigen::Index>(model));
     for (int bin = 0; bin < bins; ++bin) {
-      const double place = (bin - centre) / width;
-      row[bin] = static_cast<float>(std::exp(-place * place / 2) + 0.2 * random.uniform(0, 1));
+      const double deviation = (bin - centre) / width;
+      row[bin] = static_cast<float>(std::exp(-deviation * deviation / 2) + 0.2 * random.uniform(0, 1));
     }
     row /= row.sum();
   }

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr Eigen::Index nearest_kept = 10;
+constexpr Eigen::Index max_nearest = 10;
 constexpr double no_distance = std::numeric_limits<double>::infinity();
 
 /// Returns the unit of sums: below the 16-bit resolution of the heat map, and large enough to prevent overflow.
@@ -94,19 +94,19 @@ OverviewAccumulator begin_overview(std::span<const int> labels, double largest) 
   for (std::size_t position = 0; position < order.size(); ++position) {
     seen.positions[static_cast<std::size_t>(order[position])] = static_cast<std::int32_t>(position);
   }
-  const Eigen::Index kept = std::clamp<Eigen::Index>(models - 1, 0, nearest_kept);
-  overview.nearest.resize(models, kept);
-  overview.nearest_distances.resize(models, kept);
+  const Eigen::Index nearest_count = std::clamp<Eigen::Index>(models - 1, 0, max_nearest);
+  overview.nearest.resize(models, nearest_count);
+  overview.nearest_distances.resize(models, nearest_count);
   return seen;
 }
 
 void accumulate(const DistanceTable& rows, Eigen::Index first, OverviewAccumulator& seen) {
   DistanceOverview& overview = seen.overview;
-  const Eigen::Index kept = overview.nearest.cols();
+  const Eigen::Index nearest_count = overview.nearest.cols();
   parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
     const Eigen::Index model = first + i;
-    const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), model, kept);
-    for (Eigen::Index k = 0; k < kept; ++k) {
+    const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), model, nearest_count);
+    for (Eigen::Index k = 0; k < nearest_count; ++k) {
       const Eigen::Index other = nearest[static_cast<std::size_t>(k)];
       overview.nearest(model, k) = static_cast<std::int32_t>(other);
       overview.nearest_distances(model, k) = rows(i, other);

@@ -144,7 +144,7 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options) {
 RowEvaluator::RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first,
                            Eigen::Index last)
     : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
-  if (options.finds_itself && std::ranges::any_of(task.own_column, [](Eigen::Index own) { return own >= 0; })) {
+  if (options.finds_itself && std::ranges::any_of(task.own_column, [](Eigen::Index column) { return column >= 0; })) {
     throw ArgumentError("with finds_itself, own_column must be -1 for all queries of the task");
   }
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);

@@ -41,14 +41,14 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options);
 
 /// Names, bounds and help texts of the members `ties` and `minimum_class_size` of EvaluationOptions.
 inline constexpr std::array evaluation_table = {
-    option_of<&EvaluationOptions::ties>("ties",
-                                        "Order of models at equal distance: by index, relevant models first or last, "
-                                        "or the mean over all orders."),
+    option_of<&EvaluationOptions::ties>(
+        "ties",
+        "Order of models at equal distance. index: lower index first; optimistic, pessimistic: "
+        "relevant models first or last; expected: mean over all orders."),
     option_of<&EvaluationOptions::minimum_class_size>(
         "minimum_class_size", {.low = 1, .high = 1'000'000},
-        "Minimum class size; queries of smaller classes are omitted (psbTable of the Princeton Shape Benchmark: 3; 1: "
-        "also judged queries without a "
-        "relevant model, with scores of 0)."),
+        "Minimum number of models in the class of a query, the query included; models of smaller classes are targets "
+        "only. The Princeton Shape Benchmark's psbTable uses 3; with 1, queries without relevant models score 0."),
 };
 
 /// Mean first tier (FT) over the queries if, among models at equal distance, relevant ones rank last (pessimistic) or

@@ -44,8 +44,8 @@ double gain_of_found(const RankedList& list) {
   std::vector<double> grades;
   std::size_t rank = 0;
   for (const RankRun& run : list.runs) {
-    const std::size_t taken = std::min(run.size, ranks - std::min(rank, ranks));
-    const std::size_t hits = run.hits == run.size ? taken : std::min(run.hits, taken);
+    const std::size_t considered = std::min(run.size, ranks - std::min(rank, ranks));
+    const std::size_t hits = run.hits == run.size ? considered : std::min(run.hits, considered);
     grades.insert(grades.end(), hits, run.grade);
     rank += run.size;
   }
@@ -154,9 +154,9 @@ Evaluator pytorch_metric_learning() {
 }
 
 Measure measure_of_score(const EvaluatorScore& score) {
-  const auto own = definitions_of_programs();
-  const auto found = std::ranges::find(own, score.measure, &MeasureDefinition::name);
-  return found == own.end() ? measure_of(score.measure) : Measure{.name = found->name, .definition = &*found};
+  const auto definitions = definitions_of_programs();
+  const auto found = std::ranges::find(definitions, score.measure, &MeasureDefinition::name);
+  return found == definitions.end() ? measure_of(score.measure) : Measure{.name = found->name, .definition = &*found};
 }
 
 }  // namespace

@@ -87,10 +87,10 @@ MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eig
   found.constant = !found.unreachable && rows.cols() > (has_diagonal ? 2 : 1) && least == most;
   found.at_zero = least == 0 && most > 0;
   if (!has_diagonal) return found;
-  const double own = rows(row, diagonal);
-  if (std::isinf(own)) return found;  // excludes the model from its own list
-  found.nonzero_diagonal = own != 0;
-  found.nearest_to_others = own >= most && own > least;
+  const double diagonal_distance = rows(row, diagonal);
+  if (std::isinf(diagonal_distance)) return found;  // excludes the model from its own list
+  found.nonzero_diagonal = diagonal_distance != 0;
+  found.nearest_to_others = diagonal_distance >= most && diagonal_distance > least;
   return found;
 }
 

@@ -343,7 +343,7 @@ MeasureDefinition graded_gain_of_list() {
 }
 
 // Returns the library's measures, in the order of listings.
-std::vector<MeasureDefinition> own_measures() {
+std::vector<MeasureDefinition> builtin_measures() {
   return {nearest_neighbour(),
           first_tier(),
           second_tier(),
@@ -403,7 +403,7 @@ void check_measure(const MeasureDefinition& definition) {
 }  // namespace
 
 Registry<MeasureDefinition>& measure_definitions() {
-  static Registry<MeasureDefinition> all("measure", own_measures(), has_functions<>, check_measure);
+  static Registry<MeasureDefinition> all("measure", builtin_measures(), has_functions<>, check_measure);
   return all;
 }
 

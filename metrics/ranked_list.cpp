@@ -18,7 +18,7 @@ constexpr double negligible = 1e-18;  // of the largest term: less than the roun
 // positions, divided by the sum of probabilities. Probabilities are relative to the most likely position, from which
 // they decrease to both sides. This avoids overflow and underflow for all sizes.
 template <typename Term>
-double mean_over_places(std::size_t size, std::size_t hits, std::size_t j, const Term& term) {
+double mean_over_positions(std::size_t size, std::size_t hits, std::size_t j, const Term& term) {
   const std::size_t first = j;
   const std::size_t last = size - hits + j;
   const std::size_t likeliest = hits == 1 ? first : std::clamp(1 + (j - 1) * size / (hits - 1), first, last);
@@ -60,7 +60,7 @@ void append_precisions(std::vector<double>& precisions, std::size_t size, std::s
     const auto reciprocal_rank = [&](double probability, std::size_t t) {
       return probability / static_cast<double>(ranks_before + t);
     };
-    precisions.push_back(k * mean_over_places(size, hits, j, reciprocal_rank));
+    precisions.push_back(k * mean_over_positions(size, hits, j, reciprocal_rank));
   }
 }
 
@@ -138,8 +138,8 @@ class Buckets {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(last_) + 1; }
 
   [[nodiscard]] std::size_t of(double distance) const {
-    const double place = (distance - low_) * per_unit_;
-    return place > 0 ? static_cast<std::size_t>(std::min(place, last_)) : 0;
+    const double position = (distance - low_) * per_unit_;
+    return position > 0 ? static_cast<std::size_t>(std::min(position, last_)) : 0;
   }
 
   // Returns the index of the first of these values in each bucket, and their number. Values are in any order.
@@ -335,7 +335,7 @@ RankedList list_of_answer(const Answer& answer, bool is_empty, const Relevance& 
   return list;
 }
 
-// Builds the list of an answer, and those of the extreme orders of ties if they are wanted. for_each(f) calls
+// Builds the list of an answer, and those of the extreme orders of ties if requested. for_each(f) calls
 // f(column, distance) for each of its models.
 template <typename ForEach>
 RankedList list_of_models(const ForEach& for_each, bool is_empty, const Relevance& relevance, Eigen::Index row,
@@ -356,10 +356,12 @@ std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen:
   std::vector<Eigen::Index> models(distances.size());
   std::iota(models.begin(), models.end(), Eigen::Index{0});
   models.erase(models.begin() + query);
-  const auto kept = std::min(count, std::ssize(models));
-  const auto place = [&](Eigen::Index model) { return std::pair(distances[static_cast<std::size_t>(model)], model); };
-  std::ranges::partial_sort(models, models.begin() + kept, {}, place);
-  models.resize(static_cast<std::size_t>(kept));
+  const auto list_size = std::min(count, std::ssize(models));
+  const auto sort_key = [&](Eigen::Index model) {
+    return std::pair(distances[static_cast<std::size_t>(model)], model);
+  };
+  std::ranges::partial_sort(models, models.begin() + list_size, {}, sort_key);
+  models.resize(static_cast<std::size_t>(list_size));
   return models;
 }
 
@@ -449,7 +451,7 @@ double sum_of_precisions(const RankedList& list, std::size_t count) {
     const std::size_t looked_at = std::min(count - rank, run.size);
     const auto hits = static_cast<double>(run.hits);
     const auto size = static_cast<double>(run.size);
-    // Given a hit at the i-th place of the run, each place before it is a hit with the same probability.
+    // Given a hit at the i-th position of the run, each position before it is a hit with the same probability.
     const double others = run.size > 1 ? (hits - 1) / (size - 1) : 0;
     if (run.hits > 0) {
       for (std::size_t i = 1; i <= looked_at; ++i) {
@@ -473,8 +475,8 @@ std::vector<double> misses_before_hits(const RankedList& list, std::size_t most)
       };
     };
     for (std::size_t j = 1; j <= run.hits; ++j) {
-      const double short_of_most = mean_over_places(run.hits + run.misses, run.hits, j, term(j));
-      misses.push_back(static_cast<double>(most) - short_of_most);  // exactly `most` if all places reach it
+      const double short_of_most = mean_over_positions(run.hits + run.misses, run.hits, j, term(j));
+      misses.push_back(static_cast<double>(most) - short_of_most);  // exactly `most` if all positions reach it
     }
     before += run.misses;
   }

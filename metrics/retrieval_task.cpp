@@ -40,14 +40,15 @@ std::vector<std::size_t> relevant_counts(const RetrievalTask& task) {
   std::vector<std::size_t> counts;
   for (std::size_t row = 0; row < task.query_classes.size(); ++row) {
     const int query_class = task.query_classes[row];
-    const Eigen::Index own = task.own_column[row];
+    const Eigen::Index query_column = task.own_column[row];
     if (query_class == no_class) {
       counts.push_back(0);
       continue;
     }
     const bool counts_itself =
-        own >= 0 && (task.judged.empty() ? task.target_classes[static_cast<std::size_t>(own)] == query_class
-                                         : std::ranges::binary_search(task.judged[row], own));
+        query_column >= 0 &&
+        (task.judged.empty() ? task.target_classes[static_cast<std::size_t>(query_column)] == query_class
+                             : std::ranges::binary_search(task.judged[row], query_column));
     const std::size_t all = task.judged.empty() ? targets_of_class[query_class] : task.judged[row].size();
     counts.push_back(all - (counts_itself ? 1 : 0));
   }
@@ -86,13 +87,14 @@ double Relevance::grade(Eigen::Index row, Eigen::Index column) const {
 
 std::size_t Relevance::judged_irrelevant(Eigen::Index row) const {
   const auto i = static_cast<std::size_t>(row);
-  const Eigen::Index own = task_->own_column[i];
+  const Eigen::Index query_column = task_->own_column[i];
   if (!task_->judged_irrelevant.empty()) {
     const std::vector<Eigen::Index>& judged = task_->judged_irrelevant[i];
-    return judged.size() - (std::ranges::binary_search(judged, own) ? 1 : 0);
+    return judged.size() - (std::ranges::binary_search(judged, query_column) ? 1 : 0);
   }
-  const bool is_own_target = own >= 0 && task_->target_classes[static_cast<std::size_t>(own)] != no_class;
-  return targets_ - relevant(row) - (is_own_target ? 1 : 0);
+  const bool query_is_target =
+      query_column >= 0 && task_->target_classes[static_cast<std::size_t>(query_column)] != no_class;
+  return targets_ - relevant(row) - (query_is_target ? 1 : 0);
 }
 
 std::vector<double> Relevance::grades(Eigen::Index row) const {

@@ -263,10 +263,10 @@ SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std
   SegmentationErrors errors;
   double together = 0;
   for (const Overlap& overlap : table.overlaps) together += overlap.weight * overlap.weight;
-  const double apart_in_one = sum_of_squared_segments(table) + sum_of_squared_segments(other) - 2 * together;
+  const double disagreements = sum_of_squared_segments(table) + sum_of_squared_segments(other) - 2 * together;
   const double pairs = table.total * table.total - table.squares;
   // Rounding may give slightly negative values.
-  errors.rand_index = pairs > 0 ? std::clamp(apart_in_one / pairs, 0.0, 1.0) : 0;
+  errors.rand_index = pairs > 0 ? std::clamp(disagreements / pairs, 0.0, 1.0) : 0;
 
   errors.missing_rate = outside_of_largest_overlaps(other);
   errors.false_alarm_rate = outside_of_largest_overlaps(table);
@@ -295,12 +295,12 @@ double cut_discrepancy(std::span<const std::int32_t> labels, std::span<const std
   }
   check_edges(labels.size(), edges, vertices);
   const std::vector<double> found = cut_lengths(labels, edges, vertices);
-  const std::vector<double> wanted = cut_lengths(truth, edges, vertices);
+  const std::vector<double> true_cuts = cut_lengths(truth, edges, vertices);
   const auto is_cut = [](double length) { return length > 0; };
-  if (std::ranges::none_of(found, is_cut) && std::ranges::none_of(wanted, is_cut)) return 0;
+  if (std::ranges::none_of(found, is_cut) && std::ranges::none_of(true_cuts, is_cut)) return 0;
   const VertexEdges ways = edges_by_vertex(edges, vertices);
-  return (mean_distance(found, distances_to_cuts(ways, wanted)) +
-          mean_distance(wanted, distances_to_cuts(ways, found))) /
+  return (mean_distance(found, distances_to_cuts(ways, true_cuts)) +
+          mean_distance(true_cuts, distances_to_cuts(ways, found))) /
          radius;
 }
 

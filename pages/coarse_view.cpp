@@ -112,14 +112,14 @@ Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
 }
 
 /// Returns, for each sample, the first of the four nearest ones whose normal does not point the opposite way.
-std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& among) {
-  const PointNeighbours found = nearest_among(places.points, among.points, 4);
+std::vector<std::int32_t> nearest_samples(const Samples& samples, const Samples& among) {
+  const PointNeighbours found = nearest_among(samples.points, among.points, 4);
   std::vector<std::int32_t> nearest;
-  nearest.reserve(static_cast<std::size_t>(places.points.rows()));
-  for (Eigen::Index row = 0; row < places.points.rows(); ++row) {
+  nearest.reserve(static_cast<std::size_t>(samples.points.rows()));
+  for (Eigen::Index row = 0; row < samples.points.rows(); ++row) {
     const auto candidates = found.indices.row(row);
     const auto facing = std::ranges::find_if(
-        candidates, [&](std::int32_t other) { return places.normals.row(row).dot(among.normals.row(other)) >= 0; });
+        candidates, [&](std::int32_t other) { return samples.normals.row(row).dot(among.normals.row(other)) >= 0; });
     nearest.push_back(facing != candidates.end() ? *facing : candidates[0]);
   }
   return nearest;
@@ -143,7 +143,7 @@ Shape coarse_shape(const Shape& shape, Eigen::Index faces) {
 }
 
 ValueTransfer::ValueTransfer(const Samples& from, const Samples& to)
-    : weights_(from.weights), target_of_(nearest_places(from, to)), nearest_to_(nearest_places(to, from)) {}
+    : weights_(from.weights), target_of_(nearest_samples(from, to)), nearest_to_(nearest_samples(to, from)) {}
 
 Eigen::VectorXd ValueTransfer::means(const Eigen::VectorXd& values) const {
   const auto count = std::ssize(nearest_to_);

@@ -34,10 +34,11 @@ Eigen::MatrixXd squared_distances(const Eigen::MatrixXd& distances, const std::v
 }  // namespace
 
 Eigen::MatrixX2d plane_embedding(const Eigen::MatrixXd& distances) {
-  Eigen::MatrixX2d places = Eigen::MatrixX2d::Constant(distances.rows(), 2, std::numeric_limits<double>::quiet_NaN());
+  Eigen::MatrixX2d positions =
+      Eigen::MatrixX2d::Constant(distances.rows(), 2, std::numeric_limits<double>::quiet_NaN());
   const std::vector<Eigen::Index> models = connected_models(distances);
   const auto count = std::ssize(models);
-  if (count < 2) return places;
+  if (count < 2) return positions;
   const Eigen::MatrixXd squares = squared_distances(distances, models);
   const Eigen::VectorXd means = squares.rowwise().mean();
   Eigen::MatrixXd products = -0.5 * ((squares.colwise() - means).rowwise() - means.transpose());
@@ -48,9 +49,9 @@ Eigen::MatrixX2d plane_embedding(const Eigen::MatrixXd& distances) {
     Eigen::Index largest = 0;
     along.cwiseAbs().maxCoeff(&largest);
     const double length = std::sqrt(std::max(0.0, solver.eigenvalues()[count - 1 - axis]));
-    places(models, axis) = along * (along[largest] < 0 ? -length : length);
+    positions(models, axis) = along * (along[largest] < 0 ? -length : length);
   }
-  return places;
+  return positions;
 }
 
 }  // namespace shapegauge

@@ -115,14 +115,15 @@ Json histograms_json(const ReportHistograms& histograms) {
   return json;
 }
 
-/// Encodes the places of the models in the plane, in the order of the heat map; null for blocks of models.
+/// Encodes the positions of the models in the plane, in the order of the heat map; null for blocks of models.
 Json map_json(const DistanceOverview& distances) {
   constexpr int map_digits = 4;
   if (distances.block > 1) return nullptr;
   Json rows = Json::array();
-  const Eigen::MatrixX2d places = plane_embedding(distances.cells);
-  for (const auto& place : places.rowwise()) {
-    rows.push_back({rounded_to_digits(place[0], map_digits), rounded_to_digits(place[1], map_digits)});  // null: none
+  const Eigen::MatrixX2d positions = plane_embedding(distances.cells);
+  for (const auto& position : positions.rowwise()) {
+    rows.push_back(
+        {rounded_to_digits(position[0], map_digits), rounded_to_digits(position[1], map_digits)});  // null: none
   }
   return rows;
 }

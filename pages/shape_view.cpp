@@ -62,25 +62,25 @@ Json packed_points(const Shape& shape, const std::vector<std::int32_t>& vertices
   return {{"step", rounded_to_digits(step, digits)}, {"values", base64(bytes)}};
 }
 
-std::string packed_directions(const Points& directions, const std::vector<std::int32_t>& places) {
+std::string packed_directions(const Points& directions, const std::vector<std::int32_t>& samples) {
   std::string bytes;
-  for (const std::int32_t place : places) {
+  for (const std::int32_t sample : samples) {
     for (int k = 0; k < 3; ++k)
-      bytes.push_back(static_cast<char>(std::lround(direction_levels * directions(place, k))));
+      bytes.push_back(static_cast<char>(std::lround(direction_levels * directions(sample, k))));
   }
   return base64(bytes);
 }
 
-Json packed_field(const ViewField& field, const std::vector<std::int32_t>& places) {
+Json packed_field(const ViewField& field, const std::vector<std::int32_t>& samples) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const std::int32_t place : places) {
-    const double value = field.values[place];
+  for (const std::int32_t sample : samples) {
+    const double value = field.values[sample];
     if (!std::isfinite(value)) continue;
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  const Eigen::VectorXd values = field.values(places);
+  const Eigen::VectorXd values = field.values(samples);
   Json packed{{"name", field.name},
               {"low", low},
               {"high", high},
@@ -94,16 +94,16 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
   return packed;
 }
 
-Json packed_parts(const ViewParts& parts, const std::vector<std::int32_t>& places) {
+Json packed_parts(const ViewParts& parts, const std::vector<std::int32_t>& samples) {
   std::vector<std::int32_t> labels;
-  for (const std::int32_t place : places) labels.push_back(parts.labels[static_cast<std::size_t>(place)]);
+  for (const std::int32_t sample : samples) labels.push_back(parts.labels[static_cast<std::size_t>(sample)]);
   Json colours = Json::array();
   for (const Colour& colour : parts.colours) colours.push_back(css_colour(colour));
   return {{"name", parts.name}, {"values", packed_shorts(labels)}, {"colours", std::move(colours)}};
 }
 
 /// Encodes the points of a cloud as the hexagons of splats(): sizes and directions.
-Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) {
+Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& vertices) {
   const Shape mesh = splats(cloud);
   const Eigen::Index corners = mesh.vertices.rows() / cloud.vertices.rows();
   Points normals(cloud.vertices.rows(), 3);
@@ -118,11 +118,11 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
   }
   const double step = largest / coordinate_level;
   std::string bytes;
-  for (const std::int32_t place : places)
-    append_short(bytes, std::lround(radii[static_cast<std::size_t>(place)] / step));
+  for (const std::int32_t vertex : vertices)
+    append_short(bytes, std::lround(radii[static_cast<std::size_t>(vertex)] / step));
   return {{"step", rounded_to_digits(step, digits)},
           {"values", base64(bytes)},
-          {"directions", packed_directions(normals, places)}};
+          {"directions", packed_directions(normals, vertices)}};
 }
 
 Json rounded_vector(const Eigen::Vector3d& vector) {
@@ -195,33 +195,33 @@ Json shape_view_json(const ShapeView& view) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to show: the shape has no finite extent");
   const bool cloud = is_cloud(shape);
   Json json{{"name", view.name}, {"note", view.note}, {"axes", first_axes(view)}};
-  std::vector<std::int32_t> places;
+  std::vector<std::int32_t> samples;
   if (cloud) {
-    places = counted_up(shape.vertices.rows());
-    json["vertices"] = packed_points(shape, places);
-    json["radii"] = packed_splats(shape, places);
+    samples = counted_up(shape.vertices.rows());
+    json["vertices"] = packed_points(shape, samples);
+    json["radii"] = packed_splats(shape, samples);
   } else {
     VertexOrder order = order_of_use(shape);
     json["vertices"] = packed_points(shape, order.vertices);
     json["triangles"] = {{"count", shape.triangles.rows()}, {"corners", std::move(order.corners)}};
     const bool faces = view.site == SampleSite::faces;
     json["site"] = faces ? "faces" : "vertices";
-    places = faces ? counted_up(shape.triangles.rows()) : std::move(order.vertices);
+    samples = faces ? counted_up(shape.triangles.rows()) : std::move(order.vertices);
   }
   json["fields"] = Json::array();
   for (const ViewField& field : view.fields) {
-    if (field.values(places).array().isFinite().any()) json["fields"].push_back(packed_field(field, places));
+    if (field.values(samples).array().isFinite().any()) json["fields"].push_back(packed_field(field, samples));
   }
-  for (const ViewParts& parts : view.parts) json["parts"].push_back(packed_parts(parts, places));
+  for (const ViewParts& parts : view.parts) json["parts"].push_back(packed_parts(parts, samples));
   if (!view.regions.empty()) json["regions"] = packed_regions(view);
-  if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, places);
+  if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, samples);
   return json;
 }
 
 std::string shape_view_picture(const ShapeView& view, int pixels) {
   const bool faces = !is_cloud(view.shape) && view.site == SampleSite::faces;
-  const Eigen::Index places = faces ? view.shape.triangles.rows() : view.shape.vertices.rows();
-  std::vector<Colour> colours(static_cast<std::size_t>(places), plain_colour);
+  const Eigen::Index sample_count = faces ? view.shape.triangles.rows() : view.shape.vertices.rows();
+  std::vector<Colour> colours(static_cast<std::size_t>(sample_count), plain_colour);
   if (!view.fields.empty()) {
     const ViewField& field = view.fields.front();
     colours = colours_of(field.values, ColourScale{.low = field.colours.low,

@@ -35,7 +35,7 @@ namespace shapegauge {
 namespace {
 
 /// Rows and columns of a matrix, and options of its evaluation.
-struct WantedEvaluation {
+struct EvaluationRequest {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
   std::vector<int> subclasses;               ///< of the models, see number_subclasses(); empty for none
@@ -62,21 +62,21 @@ int class_or_none(int label) { return label < 0 ? no_class : label; }
 
 /// Makes the task with every model as a query to all others, or with rows as queries to columns. A model with a
 /// negative label has no class: it is not a query, and relevant to none.
-RetrievalTask task_of(const WantedEvaluation& wanted) {
-  RetrievalTask task = leave_one_out(wanted.labels);
-  std::ranges::transform(wanted.labels, task.query_classes.begin(), class_or_none);
-  if (!wanted.square) {
+RetrievalTask task_of(const EvaluationRequest& request) {
+  RetrievalTask task = leave_one_out(request.labels);
+  std::ranges::transform(request.labels, task.query_classes.begin(), class_or_none);
+  if (!request.square) {
     task.target_classes.clear();
-    std::ranges::transform(wanted.targets, std::back_inserter(task.target_classes), class_or_none);
-    task.own_column.assign(wanted.labels.size(), -1);
+    std::ranges::transform(request.targets, std::back_inserter(task.target_classes), class_or_none);
+    task.own_column.assign(request.labels.size(), -1);
   }
-  task.query_subclasses = task.target_subclasses = wanted.subclasses;
-  if (!wanted.relevance) return task;
-  const Eigen::MatrixXi& grades = *wanted.relevance;
-  task.judged.resize(wanted.labels.size());
-  task.grades.resize(wanted.labels.size());
+  task.query_subclasses = task.target_subclasses = request.subclasses;
+  if (!request.relevance) return task;
+  const Eigen::MatrixXi& grades = *request.relevance;
+  task.judged.resize(request.labels.size());
+  task.grades.resize(request.labels.size());
   const bool all_judged = (grades.array() >= 0).all();
-  if (!all_judged) task.judged_irrelevant.resize(wanted.labels.size());
+  if (!all_judged) task.judged_irrelevant.resize(request.labels.size());
   for (Eigen::Index i = 0; i < grades.rows(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     for (Eigen::Index j = 0; j < grades.cols(); ++j) {
@@ -100,27 +100,27 @@ struct EvaluatedMatrix {
   std::vector<std::string> warnings;
 };
 
-EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const WantedEvaluation& wanted,
+EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const EvaluationRequest& request,
                                 int threads) {
   return compute(threads, [&] {
-    MatrixChecks checks(wanted.square);
+    MatrixChecks checks(request.square);
     const RowSource rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
       DistanceMatrix some = distances.middleRows(first, count);
       checks.add(some);
-      if (wanted.square) {
+      if (request.square) {
         checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));
       }
       return some;
     };
-    const RetrievalTask task = task_of(wanted);
+    const RetrievalTask task = task_of(request);
     EvaluatedMatrix result;
-    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, wanted.options));
+    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, request.options));
     std::vector<std::string> ids;
-    for (std::size_t i = 0; i < wanted.labels.size(); ++i) ids.push_back(std::to_string(i));
+    for (std::size_t i = 0; i < request.labels.size(); ++i) ids.push_back(std::to_string(i));
     const MatrixFindings found = checks.findings();
-    result.warnings = matrix_warnings(found, ids, wanted.negated);
+    result.warnings = matrix_warnings(found, ids, request.negated);
     for (const auto& warning : {chance_warning(*result.evaluation, found, task),
-                                left_out_warning(*result.evaluation, task, wanted.options)}) {
+                                left_out_warning(*result.evaluation, task, request.options)}) {
       if (warning) result.warnings.push_back(*warning);
     }
     if (const auto tied = ties_warning(*result.evaluation, found)) {
@@ -229,7 +229,7 @@ void bind_evaluation(py::module_& module) {
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,
                             const std::string& ties, const std::vector<std::string>& measures, const std::string& curve,
                             int minimum_class_size, const std::string& evaluator, bool negated, int threads) {
-    const WantedEvaluation wanted{
+    const EvaluationRequest request{
         .labels = labels,
         .targets = targets.value_or(std::vector<int>()),
         .subclasses = subclasses,
@@ -237,7 +237,7 @@ void bind_evaluation(py::module_& module) {
         .square = !targets,
         .negated = negated,
         .options = options_of(protocol, ties, measures, minimum_class_size, curve, evaluator)};
-    const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
+    const EvaluatedMatrix evaluated = evaluate_matrix(distances, request, threads);
     return py::make_tuple(evaluated.evaluation, evaluated.warnings);
   });
   module.def("intervals", &intervals);

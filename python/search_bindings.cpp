@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Method of a search: a recommended one, or that of a configuration.
-struct WantedMethod {
+struct MethodRequest {
   std::string configuration;  ///< as JSON; if empty, that of the file `source`
   std::string source;         ///< name in messages; if empty, a recommended method
   std::string signature;      ///< if empty, the last one
@@ -40,31 +40,31 @@ struct NativeIndex {
   std::vector<std::string> left_out;
 };
 
-SearchMethod method_of(const WantedMethod& wanted) {
-  if (wanted.source.empty()) return recommended_search_method(wanted.recommended);
-  if (wanted.configuration.empty()) return read_search_method(wanted.source, {}, wanted.signature);
-  return search_method(parse_json(wanted.configuration, wanted.source), wanted.source, wanted.signature);
+SearchMethod method_of(const MethodRequest& request) {
+  if (request.source.empty()) return recommended_search_method(request.recommended);
+  if (request.configuration.empty()) return read_search_method(request.source, {}, request.signature);
+  return search_method(parse_json(request.configuration, request.source), request.source, request.signature);
 }
 
 std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optional<fs::path>& file,
-                                  const WantedMethod& wanted, const fs::path& configuration_file, bool update,
+                                  const MethodRequest& request, const fs::path& configuration_file, bool update,
                                   const std::optional<fs::path>& cache, int threads, const PythonProgress& progress) {
   auto opened = std::make_unique<NativeIndex>();
   opened->cache = std::make_unique<Cache>(cache.value_or(default_cache_folder()));
-  const bool articulated = wanted.recommended == RecommendedMethod::articulated;
-  const fs::path place = file.value_or(default_index_path(
-      collection, articulated ? fs::path(recommended_file(wanted.recommended)) : configuration_file));
+  const bool articulated = request.recommended == RecommendedMethod::articulated;
+  const fs::path index_path = file.value_or(default_index_path(
+      collection, articulated ? fs::path(recommended_file(request.recommended)) : configuration_file));
   Cancellation cancellation;
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
-    SearchMethod method = method_of(wanted);
+    SearchMethod method = method_of(request);
     if (!update) {
-      opened->index = open_index_without_update(std::move(method), collection, place);
+      opened->index = open_index_without_update(std::move(method), collection, index_path);
       copy_tables_to_memory(opened->index.contents);
       return;
     }
     IndexUpdate done;
-    opened->index = open_index(std::move(method), collection, place, control, *opened->cache, done);
+    opened->index = open_index(std::move(method), collection, index_path, control, *opened->cache, done);
     copy_tables_to_memory(opened->index.contents);
     opened->notes = std::move(done.notes);
     for (const LeftOutShape& one : done.left_out) opened->left_out.push_back(one.id + ": " + one.message);
@@ -73,27 +73,27 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
 }
 
 /// Makes a query from a path, or the arrays of a shape.
-SearchQuery query_of(const py::handle& given, std::size_t number) {
-  if (!py::isinstance<py::tuple>(given)) {
-    const auto file = given.cast<fs::path>();
+SearchQuery query_of(const py::handle& object, std::size_t number) {
+  if (!py::isinstance<py::tuple>(object)) {
+    const auto file = object.cast<fs::path>();
     return {.name = file.string(), .file = file};
   }
-  const auto arrays = given.cast<py::tuple>();
+  const auto arrays = object.cast<py::tuple>();
   return {.name = "query " + std::to_string(number),
           .file = {},
           .shape = shape_of(arrays[0].cast<Points>(), arrays[1].cast<Triangles>(), arrays[2].cast<Points>())};
 }
 
-std::vector<SearchQuery> queries_of(const py::list& given) {
+std::vector<SearchQuery> queries_of(const py::list& query_list) {
   std::vector<SearchQuery> queries;
-  for (const py::handle& one : given) queries.push_back(query_of(one, queries.size()));
+  for (const py::handle& one : query_list) queries.push_back(query_of(one, queries.size()));
   return queries;
 }
 
 /// Throws InputError if the page would overwrite an input or an existing file.
-void check_page(const NativeIndex& opened, const py::list& given, const fs::path& page, bool replace) {
+void check_page(const NativeIndex& opened, const py::list& query_list, const fs::path& page, bool replace) {
   std::vector<fs::path> inputs{opened.index.file};
-  for (const SearchQuery& query : queries_of(given)) inputs.push_back(query.file);
+  for (const SearchQuery& query : queries_of(query_list)) inputs.push_back(query.file);
   for (const IndexedFile& model : opened.index.contents.models) {
     inputs.push_back(opened.index.collection.file(model.path));
   }
@@ -103,11 +103,11 @@ void check_page(const NativeIndex& opened, const py::list& given, const fs::path
 
 /// Returns per query its name, the model that it equals (or None), the models found, their distances, and the reason
 /// for a missing answer. With a page, the page's text follows.
-py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
+py::tuple answer(NativeIndex& opened, const py::list& query_list, std::size_t count, bool rerank,
                  const std::optional<std::string>& page_title, const std::string& up, int threads,
                  const PythonProgress& progress) {
   const auto up_axis = known_word<UpAxis>("up", up);
-  const std::vector<SearchQuery> queries = queries_of(given);
+  const std::vector<SearchQuery> queries = queries_of(query_list);
   std::vector<SearchAnswer> answers;
   std::string page;
   Cancellation cancellation;
@@ -148,11 +148,11 @@ std::vector<std::pair<std::string, std::string>> named_files(const NativeIndex& 
 }  // namespace
 
 void bind_search(py::module_& module) {
-  py::class_<WantedMethod>(module, "WantedMethod")
+  py::class_<MethodRequest>(module, "MethodRequest")
       .def(py::init([](const std::string& configuration, const std::string& source, const std::string& signature,
                        bool articulated) {
-        return WantedMethod{configuration, source, signature,
-                            articulated ? RecommendedMethod::articulated : RecommendedMethod::any};
+        return MethodRequest{configuration, source, signature,
+                             articulated ? RecommendedMethod::articulated : RecommendedMethod::any};
       }));
   py::class_<NativeIndex>(module, "Index")
       .def_readonly("notes", &NativeIndex::notes)

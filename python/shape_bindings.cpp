@@ -117,9 +117,9 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   ComputedField computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
-    const Field wanted = read_field(json);
-    ComputedField result =
-        computed_field(wanted, cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted)));
+    const Field requested = read_field(json);
+    ComputedField result = computed_field(
+        requested, cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(requested)));
     if (result.samples.site == SampleSite::vertices) result.samples.points = vertices;
     return result;
   });

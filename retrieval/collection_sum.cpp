@@ -95,8 +95,8 @@ Eigen::VectorXd sum_row(const CollectionSum& sum, std::span<const Eigen::VectorX
       continue;
     }
     const DistanceMatrix& at_ranks = sum.at_ranks[k];
-    const Eigen::RowVectorXd own = member >= 0 ? at_ranks.row(member) : distances_at_ranks(span_of(scaled));
-    row += weight * log_mutual_ranks(span_of(scaled), own, at_ranks);
+    const Eigen::RowVectorXd model_at_ranks = member >= 0 ? at_ranks.row(member) : distances_at_ranks(span_of(scaled));
+    row += weight * log_mutual_ranks(span_of(scaled), model_at_ranks, at_ranks);
   }
   return row.cwiseMin(std::numeric_limits<double>::max()).transpose();
 }

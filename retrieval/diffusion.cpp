@@ -21,15 +21,18 @@ namespace {
 constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 
 constexpr std::array diffusion_table = {
-    option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                             "Number of neighbours in the random walk, about half of a class; a list "
-                                             "(auto: 4, 5, 7, 10, 14, 20) is averaged.",
-                                             automatic_neighbours),
-    option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
-                                          "Probability that a random walk continues; higher reaches farther."),
+    option_of<&DiffusionOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 1000},
+        "Number of nearest neighbours in the graph of the random walk; about half the class size is good. The results "
+        "for a list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+        automatic_neighbours),
+    option_of<&DiffusionOptions::damping>(
+        "damping", {.low = 0, .high = 1, .high_open = true},
+        "Probability that a random walk continues; higher values reach more distant models."),
     option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
                                       "Weight of the original distance, which breaks ties."),
-    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep each model's original nearest neighbour."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest",
+                                               "Keep each model's original nearest neighbour in first place."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 
@@ -41,10 +44,10 @@ struct OriginalShare {
   double share = 0;    ///< of distances that are multiplied by the factor
   double largest = 0;  ///< contribution of the largest finite distance
 
-  /// Computes `wanted` divided by `unit`, which includes the factor; 0 for a unit of 0.
-  OriginalShare(double wanted, double unit, double safe, double largest_distance)
+  /// Computes `contribution` divided by `unit`, which includes the factor; 0 for a unit of 0.
+  OriginalShare(double contribution, double unit, double safe, double largest_distance)
       : factor(safe),
-        share(unit > 0 ? wanted / unit : 0),
+        share(unit > 0 ? contribution / unit : 0),
         largest(std::min(share * (safe * largest_distance), std::numeric_limits<double>::max())) {}
 
   template <typename New, typename Old>
@@ -170,9 +173,9 @@ void put_nearest_first(const NearestModels& before, Eigen::Index first, Distance
 void put_first(Eigen::Index model, std::vector<RankedModel>& found) {
   if (found.front().model == model) return;
   const double distance = just_below(found.front().distance);
-  auto place = std::ranges::find(found, model, &RankedModel::model);
-  if (place == found.end()) --place;
-  std::rotate(found.begin(), place, place + 1);
+  auto entry = std::ranges::find(found, model, &RankedModel::model);
+  if (entry == found.end()) --entry;
+  std::rotate(found.begin(), entry, entry + 1);
   found.front() = {.model = model, .distance = distance};
 }
 
@@ -358,8 +361,9 @@ std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::I
     check_interruption();
   }
   found.resize(std::min(found.size(), count));
-  const Eigen::Index kept = options.keep_nearest && nearest.indices.cols() > 0 ? nearest.indices(query, 0) : -1;
-  if (kept >= 0 && !found.empty()) put_first(kept, found);
+  const Eigen::Index original_nearest =
+      options.keep_nearest && nearest.indices.cols() > 0 ? nearest.indices(query, 0) : -1;
+  if (original_nearest >= 0 && !found.empty()) put_first(original_nearest, found);
   return found;
 }
 
@@ -370,15 +374,15 @@ NearestModels append_query(NearestModels nearest, const Eigen::VectorXd& distanc
   nearest.indices.conservativeResize(models + 1, count);
   nearest.distances.conservativeResize(models + 1, count);
   const auto insert = [&](Eigen::Index row, Eigen::Index filled, std::int32_t model, double distance) {
-    Eigen::Index place = filled;
-    while (place > 0 && nearest.distances(row, place - 1) > distance) --place;
-    if (place >= count) return;
-    for (Eigen::Index n = std::min(filled, count - 1); n > place; --n) {
+    Eigen::Index rank = filled;
+    while (rank > 0 && nearest.distances(row, rank - 1) > distance) --rank;
+    if (rank >= count) return;
+    for (Eigen::Index n = std::min(filled, count - 1); n > rank; --n) {
       nearest.indices(row, n) = nearest.indices(row, n - 1);
       nearest.distances(row, n) = nearest.distances(row, n - 1);
     }
-    nearest.indices(row, place) = std::isfinite(distance) ? model : -1;
-    nearest.distances(row, place) = distance;
+    nearest.indices(row, rank) = std::isfinite(distance) ? model : -1;
+    nearest.distances(row, rank) = distance;
   };
   const auto added = static_cast<std::int32_t>(models);
   for (Eigen::Index i = 0; i < models; ++i) insert(i, std::min(before, count), added, distances[i]);

@@ -104,7 +104,7 @@ double jensen_shannon_distance(std::span<const float> a, std::span<const float> 
 }
 
 // Returns the library's distances, in the order of listings.
-std::vector<NamedDistance> own_distances() {
+std::vector<NamedDistance> builtin_distances() {
   return {
       {"l1", l1_distance, DistanceDomain::any, l1_distances, "sum of absolute differences"},
       {"l2", l2_distance, DistanceDomain::any, nullptr, "Euclidean"},
@@ -130,7 +130,7 @@ double l2_distance(std::span<const float> a, std::span<const float> b) {
 }
 
 Registry<NamedDistance>& distances() {
-  static Registry<NamedDistance> all("distance", own_distances(), has_functions<&NamedDistance::function>);
+  static Registry<NamedDistance> all("distance", builtin_distances(), has_functions<&NamedDistance::function>);
   return all;
 }
 

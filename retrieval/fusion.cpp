@@ -139,14 +139,14 @@ double agreement(const NearestSets& one, const NearestSets& other) {
 /// Returns the mean Jaccard index of a model's set and the sets of its nearest.
 double cohesion(const NearestSets& sets) {
   const double sum = sum_over_models(sets.of.size(), [&](std::size_t i) {
-    double alike = 0;
+    double jaccard_sum = 0;
     for (const std::int32_t near : sets.of[i]) {
       const auto other = static_cast<std::size_t>(near);
       if (other == i) continue;
       const double common = common_models(sets.of[i], sets.of[other]);
-      alike += common / (static_cast<double>(sets.of[i].size() + sets.of[other].size()) - common);
+      jaccard_sum += common / (static_cast<double>(sets.of[i].size() + sets.of[other].size()) - common);
     }
-    return alike;
+    return jaccard_sum;
   });
   return sum / static_cast<double>(sets.of.size() * sets.count);
 }

@@ -63,13 +63,13 @@ inline constexpr std::array sum_table = {
     option_of<&SumOptions::scale>(
         "scale",
         "With sum: normalisation of each signature's distances. none: unchanged; median, mean: divided by their median "
-        "or mean over all pairs of models; local: divided by the two models' mean distances to their ten nearest "
-        "neighbours; ranks (older name: local_spread): log(1 + mean of the two models' ranks among each other's "
-        "neighbours, by local distances)."),
-    option_of<&SumOptions::weights>(
-        "weights",
-        "With sum: weights of the terms. given: as configured; agreement: as configured, times factors estimated from "
-        "how well nearest models agree between signatures and within one."),
+        "or mean; local: divided by the geometric mean of the two models' mean distances to their ten nearest models; "
+        "ranks (older name: local_spread): log(1 + mean of the two models' ranks in each other's lists, sorted by "
+        "these local distances)."),
+    option_of<&SumOptions::weights>("weights",
+                                    "With sum: weights of the terms. given: as configured; agreement: multiplied by "
+                                    "factors estimated without class labels, larger for signatures whose nearest "
+                                    "neighbours agree with those of the others and form clusters."),
 };
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a

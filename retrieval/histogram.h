@@ -33,8 +33,7 @@ inline constexpr std::array histogram_table = {
     option_of<&HistogramOptions::bins>("bins", {.low = 1, .high = 100'000}, "Number of bins."),
     with_unit("bins", option_of<&HistogramOptions::smoothing_bins>(
                           "smoothing_bins", {.low = 0, .high = 1000},
-                          "Standard deviation of a Gaussian that smooths the histogram; at most the number of bins; "
-                          "0: none.")),
+                          "Standard deviation of Gaussian smoothing, at most the number of bins; 0: none.")),
 };
 
 /// Returns the smallest and largest finite value of positive weight of a field; nothing if there is no such value.

@@ -24,12 +24,13 @@ namespace {
 using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
-    option_of<&ReciprocalOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 1000},
-        "Number of models that may be mutual neighbours; auto: mean of six, 4 to 20.", automatic_neighbours),
-    option_of<&ReciprocalOptions::expansion_neighbours>(
-        "expansion_neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models whose neighbour sets are averaged; at most the largest of neighbours."),
+    option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                              "Number of nearest models that may be mutual neighbours; the results for "
+                                              "a list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+                                              automatic_neighbours),
+    option_of<&ReciprocalOptions::expansion_neighbours>("expansion_neighbours", {.low = 1, .high = 1000},
+                                                        "Query expansion: number of nearest models whose neighbour "
+                                                        "sets are averaged; at most the largest value of neighbours."),
     option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1},
                                             "Weight of the original distance; 1: no re-ranking."),
 };
@@ -158,26 +159,26 @@ void check_reciprocal(const ReciprocalOptions& options) {
 
 }  // namespace
 
-DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions& options) {
+DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options) {
   check_reciprocal(options);
-  const Eigen::Index models = given.rows();
+  const Eigen::Index models = distances.rows();
   const std::vector<int> counts = neighbour_counts(options.neighbours);
-  const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
-  if (models < 2) return symmetrise(given);
+  const NearestModels found = nearest_models(models, counts.back(), rows_of(distances));
+  if (models < 2) return symmetrise(distances);
   const double factor = overflow_safe_factor(found.largest);
   const NearestModels nearest = with_scaled_distances(found, factor);
-  const DistanceMatrix distances = factor * given;
+  const DistanceMatrix scaled = factor * distances;
   std::vector<NeighbourSets> sets;
   for (const int count : counts) {
-    sets.push_back(neighbour_sets(distances, nearest, count, std::min(options.expansion_neighbours, count)));
+    sets.push_back(neighbour_sets(scaled, nearest, count, std::min(options.expansion_neighbours, count)));
   }
   const double share = nearest.largest > 0 ? options.original / nearest.largest : 0;
   DistanceMatrix result(models, models);
   parallel_for(Eigen::Index{0}, models, [&](Eigen::Index model) {
     const Eigen::RowVectorXd jaccard = mean_jaccard_distances(sets, model);
-    result.row(model) = (1 - options.original) * jaccard + share * distances.row(model);
+    result.row(model) = (1 - options.original) * jaccard + share * scaled.row(model);
     for (Eigen::Index j = 0; j < models; ++j) {
-      if (!std::isinf(distances(model, j))) continue;
+      if (!std::isinf(scaled(model, j))) continue;
       result(model, j) = jaccard[j] < 1 ? (1 - options.original) * jaccard[j] + options.original
                                         : std::numeric_limits<double>::infinity();
     }

@@ -53,14 +53,14 @@ Eigen::RowVectorXd distances_at_ranks(std::span<const double> distances, Eigen::
   return found;
 }
 
-Eigen::RowVectorXd log_mutual_ranks(std::span<const double> distances, const Eigen::RowVectorXd& own,
+Eigen::RowVectorXd log_mutual_ranks(std::span<const double> distances, const Eigen::RowVectorXd& model_at_ranks,
                                     const DistanceMatrix& others) {
   const std::vector<double> ranks = ranks_among(std::ssize(distances));
-  const auto count = static_cast<std::size_t>(own.size());
+  const auto count = static_cast<std::size_t>(model_at_ranks.size());
   Eigen::RowVectorXd logarithms(std::ssize(distances));
   for (Eigen::Index j = 0; j < logarithms.size(); ++j) {
     const double distance = distances[static_cast<std::size_t>(j)];
-    const double rank = rank_of(distance, {own.data(), count}, ranks) +
+    const double rank = rank_of(distance, {model_at_ranks.data(), count}, ranks) +
                         rank_of(distance, {others.row(j).data(), static_cast<std::size_t>(others.cols())}, ranks);
     logarithms[j] = std::isinf(distance) ? distance : std::log1p(rank / 2);
   }

@@ -21,12 +21,12 @@ Eigen::Index sampled_rank_count(Eigen::Index models);
 Eigen::RowVectorXd distances_at_ranks(std::span<const double> distances, Eigen::Index itself = -1);
 
 /// Computes log(1 + mutual rank) of one model and each model of a collection. `distances` are the distances from the
-/// one model to the collection, `own` its distances_at_ranks(), and `others` the distances_at_ranks() of the
+/// one model to the collection, `model_at_ranks` its distances_at_ranks(), and `others` the distances_at_ranks() of the
 /// collection's models, one row per model.
 ///
 /// The rank of a distance is the number of models not farther than it, interpolated linearly between the ranks of
 /// distances_at_ranks(); of a distance 0 it is 0. The result is infinite for an infinite distance.
-Eigen::RowVectorXd log_mutual_ranks(std::span<const double> distances, const Eigen::RowVectorXd& own,
+Eigen::RowVectorXd log_mutual_ranks(std::span<const double> distances, const Eigen::RowVectorXd& model_at_ranks,
                                     const DistanceMatrix& others);
 
 }  // namespace shapegauge

@@ -17,9 +17,10 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array expansion_table = {
-    option_of<&ExpansionOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models whose rows are added; auto: mean of six, 4 to 20.", automatic_neighbours),
+    option_of<&ExpansionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                             "Number of nearest models whose distances are averaged; the results for a "
+                                             "list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+                                             automatic_neighbours),
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);
 
@@ -31,7 +32,7 @@ bool is_far_from_all(const DistanceMatrix& distances, const NearestModels& neare
          std::ranges::all_of(nearest.indices.row(row), [&](std::int32_t other) { return other < 0 || is_far(other); });
 }
 
-/// Returns the weights of the nearest neighbours' rows relative to that of a model's own: the r-th has 1 / (1 + r) of
+/// Returns the weights of the nearest neighbours' rows relative to the model's own row: the r-th has 1 / (1 + r) of
 /// it in the mean of the first k rows, for each of the counts k that include it.
 std::vector<double> neighbour_weights(Eigen::Index neighbours, const std::vector<int>& counts) {
   std::vector<double> totals{1};
@@ -77,8 +78,9 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
 }
 
 RerankMethod query_expansion_method() {
-  return {"query_expansion", "Average query expansion: means of the nearest models' rows.", expansion_parameters,
-          [](const DistanceMatrix& distances, const ParameterValues& values) {
+  return {"query_expansion",
+          "Average query expansion: each model's distances are averaged with those of its nearest models.",
+          expansion_parameters, [](const DistanceMatrix& distances, const ParameterValues& values) {
             return query_expansion(distances, options_from(expansion_table, values));
           }};
 }

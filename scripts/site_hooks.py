@@ -21,8 +21,8 @@ def on_page_markdown(markdown, page, **_):
 
     def replace(match):
         text, target = match.groups()
-        place = posixpath.normpath(posixpath.join(folder, target.partition("#")[0]))
-        if not place.startswith(".."):
+        path = posixpath.normpath(posixpath.join(folder, target.partition("#")[0]))
+        if not path.startswith(".."):
             return match.group(0)
         return text if "`" in text else f"`{text}`"
 

@@ -32,8 +32,8 @@ void add_ways(WaysToParts& ways, const ThickSurface& surface, std::span<const st
     check();
     const auto [way, node] = queue.top();
     queue.pop();
-    const bool own = labels[static_cast<std::size_t>(node)] == label;
-    if (!own && ways[static_cast<std::size_t>(node)].at(label) < way) continue;
+    const bool is_start = labels[static_cast<std::size_t>(node)] == label;
+    if (!is_start && ways[static_cast<std::size_t>(node)].at(label) < way) continue;
     for (const SurfaceLink& link : surface.graph.links_of(node)) {
       const double next = way + link.distance / surface.unit;
       if (next > width || labels[static_cast<std::size_t>(link.to)] == label) continue;
@@ -60,8 +60,8 @@ WaysToParts ways_to_parts(const ThickSurface& surface, std::span<const std::int3
 /// Nodes that may change, with their labelling problem.
 struct Band {
   std::vector<std::int32_t> nodes;
-  std::vector<std::int32_t> places;  ///< of each node of the surface among `nodes`; -1: it stays
-  std::vector<std::int32_t> labels;  ///< that nodes of the band may have, ascending; costs and start are by place here
+  std::vector<std::int32_t> index_of;  ///< per node of the surface: index in `nodes`; -1: not in the band
+  std::vector<std::int32_t> labels;    ///< admissible labels, ascending; `start` and the columns of `costs` refer to it
   Eigen::MatrixXd costs;
   std::vector<LabelEdge> edges;
   std::vector<std::int32_t> start;
@@ -78,10 +78,10 @@ double border_cost(const ThickSurface& surface, std::int32_t node, const Surface
 /// Returns the nodes of the band and their admissible labels.
 Band empty_band(std::span<const std::int32_t> labels, const WaysToParts& ways) {
   Band band;
-  band.places.assign(labels.size(), -1);
+  band.index_of.assign(labels.size(), -1);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (ways[i].empty()) continue;
-    band.places[i] = static_cast<std::int32_t>(band.nodes.size());
+    band.index_of[i] = static_cast<std::int32_t>(band.nodes.size());
     band.nodes.push_back(static_cast<std::int32_t>(i));
     band.labels.push_back(labels[i]);
     for (const auto& [label, way] : ways[i]) band.labels.push_back(label);
@@ -110,14 +110,14 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
       band.costs(row, column_of(label)) = surface.graph.samples.weights[node] / whole * way / options.width;
     }
     for (const SurfaceLink& link : surface.graph.links_of(node)) {
-      const std::int32_t other = band.places[static_cast<std::size_t>(link.to)];
+      const std::int32_t other = band.index_of[static_cast<std::size_t>(link.to)];
       const double cost = border_cost(surface, node, link, options);
       if (other > static_cast<std::int32_t>(k)) band.edges.push_back({static_cast<std::int32_t>(k), other, cost});
       if (other >= 0) continue;
       // The neighbour keeps its label: every other label has the cost of the border.
       band.costs.row(row).array() += cost;
-      const std::int32_t kept = labels[static_cast<std::size_t>(link.to)];
-      if (std::ranges::binary_search(band.labels, kept)) band.costs(row, column_of(kept)) -= cost;
+      const std::int32_t fixed_label = labels[static_cast<std::size_t>(link.to)];
+      if (std::ranges::binary_search(band.labels, fixed_label)) band.costs(row, column_of(fixed_label)) -= cost;
     }
   }
   return band;

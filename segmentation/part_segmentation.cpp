@@ -91,9 +91,9 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   return renumber_labels(smooth_boundaries(surface, renumber_labels(labels), options.smoothing));
 }
 
-std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmentationOptions& options,
+std::vector<std::int32_t> part_segmentation(const Shape& original, const PartSegmentationOptions& options,
                                             const PartModel& model) {
-  const SoundMesh mesh = sound_mesh(given);
+  const SoundMesh mesh = sound_mesh(original);
   const Shape& shape = mesh.shape;
   // Many parts of few triangles consist of single triangles.
   if (triangles_per_part * options.parts > shape.triangles.rows()) {

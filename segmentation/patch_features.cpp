@@ -27,13 +27,13 @@ std::vector<double> ranks(const ScalarField& field) {
   std::vector<double> result(static_cast<std::size_t>(field.values.size()), std::numeric_limits<double>::quiet_NaN());
   double below = 0;
   for (auto first = order.begin(); first != order.end();) {
-    double alike = 0;
+    double equal = 0;
     auto last = first;
-    for (; last != order.end() && field.values[*last] == field.values[*first]; ++last) alike += field.weights[*last];
+    for (; last != order.end() && field.values[*last] == field.values[*first]; ++last) equal += field.weights[*last];
     for (; first != last; ++first) {
-      result[static_cast<std::size_t>(*first)] = whole > 0 ? (below + alike / 2) / whole : 0;
+      result[static_cast<std::size_t>(*first)] = whole > 0 ? (below + equal / 2) / whole : 0;
     }
-    below += alike;
+    below += equal;
   }
   return result;
 }
@@ -41,14 +41,14 @@ std::vector<double> ranks(const ScalarField& field) {
 /// Returns patches x levels; the last row is that of the whole surface.
 Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::Index patches, const ScalarField& field,
                                   int levels) {
-  const std::vector<double> places = ranks(field);
+  const std::vector<double> rank = ranks(field);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(patches + 1, levels);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(patches + 1);
   for (std::size_t i = 0; i < patch.size(); ++i) {
-    if (std::isnan(places[i])) continue;
+    if (std::isnan(rank[i])) continue;
     const double weight = field.weights[static_cast<Eigen::Index>(i)];
     // The lowest level (k + 1/2) / n that is not below the rank.
-    const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil(places[i] * levels - 0.5)));
+    const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil(rank[i] * levels - 0.5)));
     for (const Eigen::Index row : {Eigen::Index{patch[i]}, patches}) {
       weights[row] += weight;
       if (first < levels) sums.row(row).tail(levels - first).array() += weight;

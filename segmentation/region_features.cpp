@@ -93,19 +93,19 @@ class Features {
   }
 
   void add_sights() {
-    const auto min_own = [&](PairSum what) {
+    const auto min_within = [&](PairSum what) {
       return std::min(share(small_, small_, what), share(large_, large_, what));
     };
     const double shallow = share(small_, large_, PairSum::seen_shallow);
     const double deep = share(small_, large_, PairSum::seen_deep);
-    const double own_shallow = min_own(PairSum::seen_shallow);
-    const double own_deep = min_own(PairSum::seen_deep);
+    const double within_shallow = min_within(PairSum::seen_shallow);
+    const double within_deep = min_within(PairSum::seen_deep);
     add("seen shallow", shallow);
     add("seen deep", deep);
-    add("own seen shallow", own_shallow);
-    add("own seen deep", own_deep);
-    add("seen shallow / own", shallow / std::max(min_sight, own_shallow));
-    add("seen deep / own", deep / std::max(min_sight, own_deep));
+    add("own seen shallow", within_shallow);
+    add("own seen deep", within_deep);
+    add("seen shallow / own", shallow / std::max(min_sight, within_shallow));
+    add("seen deep / own", deep / std::max(min_sight, within_deep));
     add("seen outside", share(small_, large_, PairSum::seen_outside));
     add("small seen outside", share(small_, small_, PairSum::seen_outside));
     add("large seen outside", share(large_, large_, PairSum::seen_outside));
@@ -150,12 +150,12 @@ class Features {
   void add_opposites() {
     const double small = std::max(regions_.of(small_).area, min_area);
     const double large = std::max(regions_.of(large_).area, min_area);
-    const double own_small = regions_.of(small_, small_, PairSum::opposite);
-    const double own_large = regions_.of(large_, large_, PairSum::opposite);
+    const double within_small = regions_.of(small_, small_, PairSum::opposite);
+    const double within_large = regions_.of(large_, large_, PairSum::opposite);
     add("opposite", between(PairSum::opposite) / small);
-    add("own opposite small", own_small / small);
-    add("own opposite large", own_large / large);
-    add("own opposite both", (own_small + own_large + 2 * between(PairSum::opposite)) / (small + large));
+    add("own opposite small", within_small / small);
+    add("own opposite large", within_large / large);
+    add("own opposite both", (within_small + within_large + 2 * between(PairSum::opposite)) / (small + large));
   }
 
   void add_form() {

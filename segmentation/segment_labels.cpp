@@ -128,14 +128,13 @@ std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std
   std::vector<std::size_t> chosen(order.size(), none);
   std::size_t next = 0;
   for (const std::int32_t label : order) {
-    std::array<bool, palette.size() + 1> taken = {};
+    std::array<bool, palette.size() + 1> used = {};
     for (const auto& [other, length] : borders.lengths[static_cast<std::size_t>(label)]) {
-      taken[chosen[static_cast<std::size_t>(other)]] = true;
+      used[chosen[static_cast<std::size_t>(other)]] = true;
     }
     // Parts that do not touch get different colours as long as there are any.
     std::size_t colour = next;
-    for (std::size_t tried = 0; tried < palette.size() && taken[colour]; ++tried)
-      colour = (colour + 1) % palette.size();
+    for (std::size_t tried = 0; tried < palette.size() && used[colour]; ++tried) colour = (colour + 1) % palette.size();
     chosen[static_cast<std::size_t>(label)] = colour;
     next = (next + 1) % palette.size();
   }

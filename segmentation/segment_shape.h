@@ -34,20 +34,21 @@ struct SegmentationOptions {
 
 /// Names, bounds and help texts of the parameters in SegmentationOptions (option_parameters.h).
 inline constexpr std::array segmentation_table = {
-    option_of<&SegmentationOptions::method>("method",
-                                            "best: semantic parts; paper: clusters of patches of similar thickness."),
-    with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
+    option_of<&SegmentationOptions::method>(
+        "method", "Algorithm. best: semantic parts, such as limbs; paper: clusters of patches of similar thickness."),
+    with_description("Number of parts; 0: automatic. With method paper: number of clusters; 0: 5.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
-    with_description("best: number of initial patches, which are merged into parts.",
+    with_description("With method best: number of initial patches, which are merged into parts.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 1>()),
-    with_description("best: minimum probability of merging two regions; lower gives fewer parts.",
+    with_description("With method best and parts 0: two regions are merged at this predicted probability or more of "
+                     "being one part; lower values give fewer parts.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
-    with_description("best: maximum distance by which smoothing moves borders.",
+    with_description("With method best: maximum distance by which smoothing moves borders.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 3>()),
-    option_of<&SegmentationOptions::field>("field",
-                                           "paper: shape diameter function, of the offset surface or conventional."),
+    option_of<&SegmentationOptions::field>(
+        "field", "With method paper: shape diameter function, of the offset surface or conventional."),
     with_unit(bounding_box_diagonals, option_of<&SegmentationOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
-                                                                              "paper: offset distance.")),
+                                                                              "With method paper: offset distance.")),
 };
 
 /// Returns the only algorithm that uses the named parameter of segmentation_table; nothing if both algorithms use it.

@@ -31,7 +31,7 @@ std::vector<std::int32_t> numbers_of_sound(const Shape& mesh) {
 
 /// Returns the closest of the sound triangles to the middle of a triangle.
 std::int32_t closest_to(const Shape& mesh, Eigen::Index triangle, const TriangleBVH& sound, const UnitFrame& frame) {
-  constexpr double far = 100;  // in single precision, all triangles are about equally near to farther places
+  constexpr double far = 100;  // in single precision, all triangles are about equally near to farther points
   const Eigen::Vector3d middle = mesh.vertices(mesh.triangles.row(triangle), Eigen::all).colwise().mean();
   return sound.closest(frame.to_unit(middle).cwiseMax(-far).cwiseMin(far)).value().triangle;
 }
@@ -45,19 +45,19 @@ std::vector<std::int32_t> SoundMesh::extended(std::vector<std::int32_t> labels) 
   return all;
 }
 
-SoundMesh sound_mesh(const Shape& given) {
-  require_usable(given);
-  DistinctTriangles distinct = distinct_triangles(given);
+SoundMesh sound_mesh(const Shape& original) {
+  require_usable(original);
+  DistinctTriangles distinct = distinct_triangles(original);
   SoundMesh result{.shape = std::move(distinct.shape), .triangle_of = std::move(distinct.triangle_of)};
-  if (is_cloud(given)) return result;
+  if (is_cloud(original)) return result;
   const Shape mesh = result.shape;
   std::vector<std::int32_t> number = numbers_of_sound(mesh);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> selected;
   for (std::size_t i = 0; i < number.size(); ++i) {
-    if (number[i] >= 0) kept.push_back(static_cast<Eigen::Index>(i));
+    if (number[i] >= 0) selected.push_back(static_cast<Eigen::Index>(i));
   }
-  if (kept.size() == number.size()) return result;
-  result.shape.triangles = mesh.triangles(kept, Eigen::all).eval();
+  if (selected.size() == number.size()) return result;
+  result.shape.triangles = mesh.triangles(selected, Eigen::all).eval();
   result.shape.polygons = {};
   const UnitFrame frame = unit_frame(result.shape);
   const TriangleBVH sound(in_unit_frame(result.shape, frame));

@@ -23,6 +23,6 @@ struct SoundMesh {
 
 /// Removes duplicate triangles and triangles with coincident corners from a mesh; a cloud stays unchanged. Throws
 /// InputError for an unusable shape (require_usable()), and if no triangle is left.
-SoundMesh sound_mesh(const Shape& given);
+SoundMesh sound_mesh(const Shape& shape);
 
 }  // namespace shapegauge

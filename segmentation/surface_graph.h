@@ -44,7 +44,7 @@ struct SurfaceGraph {
 /// nearest of the other.
 ///
 /// Concavity assumes that normals point outwards. Two triangles of opposite orientations are compared as if they were
-/// oriented alike. Throws InputError for an empty or unusable shape (require_usable()).
+/// oriented consistently. Throws InputError for an empty or unusable shape (require_usable()).
 SurfaceGraph surface_graph(const Shape& shape);
 
 }  // namespace shapegauge

@@ -52,11 +52,11 @@ std::vector<PatchSample> sampled(const ThickSurface& surface, std::span<const st
     const auto count = std::max(1L, std::lround(area * samples));
     const double step = area / static_cast<double>(count);
     double passed = 0;
-    long taken = 0;
+    long added = 0;
     for (std::size_t i = by_patch.first[static_cast<std::size_t>(p)];
          i < by_patch.first[static_cast<std::size_t>(p) + 1]; ++i) {
       passed += surface.graph.samples.weights[by_patch.values[i]] / whole;
-      for (; taken < count && passed >= (static_cast<double>(taken) + 0.5) * step; ++taken) {
+      for (; added < count && passed >= (static_cast<double>(added) + 0.5) * step; ++added) {
         result.push_back({by_patch.values[i], p, step});
       }
     }
@@ -129,9 +129,9 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
 }
 
 /// Returns, for every pair of points, row by row above the diagonal, whether the straight line between them is free;
-/// only for `wanted` pairs.
-template <typename Wanted>
-std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& positions, Wanted wanted) {
+/// false if `condition(i, j)` is false.
+template <typename Condition>
+std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& positions, Condition condition) {
   const auto count = static_cast<std::size_t>(positions.rows());
   std::vector<std::vector<char>> free(count);
   parallel_for(std::size_t{0}, count, [&](std::size_t i) {
@@ -141,7 +141,7 @@ std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points&
     std::vector<std::pair<std::size_t, double>> targets;
     free[i].assign(count - i, 0);
     for (Eigen::Index to = from + 1; to < positions.rows(); ++to) {
-      if (!wanted(from, to)) continue;
+      if (!condition(from, to)) continue;
       const Eigen::Vector3d way = positions.row(to).transpose() - origin;
       const double length = way.norm();
       if (!(length > 0)) continue;
@@ -222,9 +222,9 @@ class Sights {
     regions_.add(sample(i).patch, sample(j).patch, what, sample(i).area * sample(j).area * value);
   }
 
-  template <typename Wanted>
-  void add_free(const Points& positions, PairSum what, Wanted wanted) {
-    const std::vector<std::vector<char>> free = free_lines(caster_, positions, wanted);
+  template <typename Condition>
+  void add_free(const Points& positions, PairSum what, Condition condition) {
+    const std::vector<std::vector<char>> free = free_lines(caster_, positions, condition);
     for (std::size_t i = 0; i < free.size(); ++i) {
       for (std::size_t k = 1; k < free[i].size(); ++k) {
         if (free[i][k] != 0) add(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i + k), what, 1);

@@ -131,8 +131,8 @@ double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
   return (from - to).dot(way) > 0 ? angle : -angle;
 }
 
-ThickSurface thick_surface(const Shape& given) {
-  const Shape shape = orient_outward(given);
+ThickSurface thick_surface(const Shape& original) {
+  const Shape shape = orient_outward(original);
   ThickSurface surface;
   surface.graph = surface_graph(shape);
   const double area = surface.graph.samples.weights.sum();

@@ -32,6 +32,6 @@ Shape orient_outward(Shape shape);
 /// offset surface (offset_sdf()) with the automatic_offset(), whose normals then define the outside. Missing values
 /// become the mean of the neighbouring values, and all values are averaged with neighbours of similar thickness. Throws
 /// InputError if the shape is unusable, is empty or has no area.
-ThickSurface thick_surface(const Shape& given);
+ThickSurface thick_surface(const Shape& shape);
 
 }  // namespace shapegauge

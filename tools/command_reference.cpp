@@ -69,11 +69,11 @@ std::string option_item(const CLI::Option& option, const std::string& usual) {
 std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
   std::vector<const CLI::Option*> listed;
   for (const CLI::Option* option : command.get_options()) {
-    const bool is_hidden = !option->get_positional() && option->get_group().empty();
     const bool is_help = option == command.get_help_ptr() || option == command.get_help_all_ptr();
-    if (!is_help && !is_hidden) listed.push_back(option);
+    if (!is_help && !is_hidden(*option)) listed.push_back(option);
   }
-  std::ranges::stable_partition(listed, &CLI::Option::get_positional);
+  // Clang 14 does not compile the version of std::ranges, which returns a subrange.
+  std::stable_partition(listed.begin(), listed.end(), [](const auto* option) { return option->get_positional(); });
   return listed;
 }
 

@@ -184,12 +184,12 @@ constexpr std::array<FeatureGroup, 5> feature_groups{{{"lines of sight", "seen s
 
 /// Returns the half-open range of a group's features.
 std::pair<Eigen::Index, Eigen::Index> range_of(std::size_t group) {
-  const auto place_of = [](std::string_view name) {
+  const auto index_of = [](std::string_view name) {
     return std::ranges::find(region_feature_names(), name) - region_feature_names().begin();
   };
   const bool last = group + 1 == feature_groups.size();
-  return {place_of(feature_groups.at(group).first),
-          last ? region_features : place_of(feature_groups.at(group + 1).first)};
+  return {index_of(feature_groups.at(group).first),
+          last ? region_features : index_of(feature_groups.at(group + 1).first)};
 }
 
 /// Trains a model without the features of a group.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the generated files of the repository: configs/experiment.schema.json, docs/reference/commands.md and the
-// tables of docs/reference/configuration.md. Run by the target update_reference.
+// lists of docs/reference/configuration.md. Run by the target update_reference.
 //
 //     write_reference REPOSITORY
 //     write_reference REPOSITORY --check    says which of the files are not up to date, and fails
@@ -29,7 +29,7 @@ int main(int count, char** arguments) try {
   const std::vector<std::pair<std::filesystem::path, std::string>> files{
       {repository / "docs/reference/commands.md", shapegauge::command_reference(program)},
       {repository / "configs/experiment.schema.json", shapegauge::experiment_schema()},
-      {page, shapegauge::with_reference_tables(shapegauge::read_file_bytes(page))}};
+      {page, shapegauge::with_reference_lists(shapegauge::read_file_bytes(page))}};
   int outdated = 0;
   for (const auto& [path, text] : files) {
     if (count == 2) {

@@ -39,11 +39,11 @@ std::optional<std::size_t> weighted_index(std::span<const double> weights, doubl
 
 std::vector<bool> random_subset(std::size_t n, std::size_t count, RandomNumbers& random) {
   std::vector<bool> chosen(n);
-  auto wanted = static_cast<double>(count);
+  auto needed = static_cast<double>(count);
   auto remaining = static_cast<double>(n);
   for (auto&& mark : chosen) {
-    mark = random.uniform(0, remaining) < wanted;
-    if (mark) --wanted;
+    mark = random.uniform(0, remaining) < needed;
+    if (mark) --needed;
     --remaining;
   }
   return chosen;

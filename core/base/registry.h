@@ -30,13 +30,13 @@ class Registry {
  public:
   /// Creates a registry.
   /// - `kind`: noun for an entry in messages, for example "descriptor".
-  /// - `own`: the built-in entries, with distinct names.
+  /// - `builtin`: the built-in entries, with distinct names.
   /// - `is_complete`: true for an entry with the functions that it must have: has_functions<&Entry::function>.
   /// - `check`: throws InputError for an entry that is invalid for another reason; null: no further check.
-  Registry(std::string_view kind, std::vector<Entry> own, bool (*is_complete)(const Entry&),
+  Registry(std::string_view kind, std::vector<Entry> builtin, bool (*is_complete)(const Entry&),
            void (*check)(const Entry&) = nullptr)
       : kind_(kind), is_complete_(is_complete), check_(check) {
-    for (Entry& entry : own) entries_.push_back(std::move(entry));
+    for (Entry& entry : builtin) entries_.push_back(std::move(entry));
   }
 
   /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer

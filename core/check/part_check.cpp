@@ -45,13 +45,13 @@ Shape mesh_of(const std::vector<Element>& elements, const CellOf& cell_of) {
 Shape welded(const Shape& mesh) {
   const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   std::vector<std::int32_t> index(merged.size());
-  std::vector<std::int32_t> kept;
+  std::vector<std::int32_t> distinct;
   for (std::size_t v = 0; v < merged.size(); ++v) {
     const bool first = merged[v] == static_cast<std::int32_t>(v);
-    index[v] = first ? static_cast<std::int32_t>(kept.size()) : index[static_cast<std::size_t>(merged[v])];
-    if (first) kept.push_back(merged[v]);
+    index[v] = first ? static_cast<std::int32_t>(distinct.size()) : index[static_cast<std::size_t>(merged[v])];
+    if (first) distinct.push_back(merged[v]);
   }
-  Shape result{.vertices = mesh.vertices(kept, Eigen::all), .triangles = mesh.triangles};
+  Shape result{.vertices = mesh.vertices(distinct, Eigen::all), .triangles = mesh.triangles};
   for (std::int32_t& corner : result.triangles.reshaped()) corner = index[static_cast<std::size_t>(corner)];
   return result;
 }
@@ -114,8 +114,8 @@ double min_of(const ThinCell& cell) {
   return least;
 }
 
-/// Turns edges whose diameter does not fall to 0 into walls, and walls beside edges into edges if their area is smaller
-/// than the square of the limit.
+/// Turns edges whose diameter does not fall to 0 into walls, and walls next to edges into edges if their area is
+/// smaller than the square of the limit.
 void settle_edges(std::vector<ThinCell>& cells, const Links& links, double limit) {
   if (std::ranges::none_of(cells, &ThinCell::is_edge)) return;
   for (const std::vector<std::int32_t>& members : connected(cells, links)) {

@@ -182,11 +182,11 @@ double CellSampler::crossing(const Cell& cell, const Eigen::Vector3d& below, con
   return (low + high) / 2;
 }
 
-/// Returns the fraction of a cell below the limit. The border of the region is taken to cross it in a straight line.
+/// Returns the fraction of a cell below the limit. The border of the region is assumed to cross it in a straight line.
 double CellSampler::fraction_below(const ThinCell& thin) const {
   const auto below = std::ranges::count_if(thin.diameters, &std::optional<double>::has_value);
   if (below == 3) return 1;
-  // The corner on its own side of the border.
+  // The corner alone on its side of the border.
   std::size_t lone = 0;
   while (thin.diameters[lone].has_value() != (below == 1)) ++lone;
   double triangle = 1;

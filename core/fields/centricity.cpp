@@ -74,7 +74,7 @@ Landmarks landmarks_of(const Shape& shape, const CentricityOptions& options) {
     }
     ++count;
     const auto [next, largest] = farthest(nearest);
-    if (!(largest > 0)) break;  // all sites are sources, or at the places of some
+    if (!(largest > 0)) break;  // all sites are sources, or coincide with some
     source = next;
   }
   landmarks.distances.conservativeResize(Eigen::NoChange, count);

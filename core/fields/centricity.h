@@ -35,12 +35,12 @@ struct CentricityOptions {
 /// Names, bounds and help texts of the parameters in CentricityOptions (option_parameters.h).
 inline constexpr std::array centricity_table = {
     option_of<&CentricityOptions::measure>(
-        "measure", "Statistic of the geodesic distances: mean, by area, or eccentricity, the maximum."),
+        "measure", "Statistic of the geodesic distances. mean: area-weighted mean; eccentricity: maximum."),
     nested_option<&CentricityOptions::geodesics, geodesic_table, 0>(),
     nested_option<&CentricityOptions::geodesics, geodesic_table, 1>(),
-    option_of<&CentricityOptions::sources>(
-        "sources", {.low = 1, .high = 1000},
-        "Number of landmarks from which distances are computed; the proxy always has 500."),
+    option_of<&CentricityOptions::sources>("sources", {.low = 1, .high = 1000},
+                                           "Number of landmarks from which geodesic distances are computed. Ignored on "
+                                           "the surface proxy, which always uses 500 landmarks."),
 };
 
 /// Computes the centricity at the samples, in the shape's units: the mean geodesic distance to the rest of the surface,

@@ -36,7 +36,7 @@ FieldComputation smoothed(FieldComputation field, const BilateralOptions& option
   return field;
 }
 
-std::vector<FieldType> own_fields() {
+std::vector<FieldType> builtin_fields() {
   return {offset_sdf_type(), cone_sdf_type(),    inscribed_ball_type(),  gap_type(),
           centricity_type(), heat_kernel_type(), scale_invariant_type(), wave_kernel_type()};
 }
@@ -144,7 +144,7 @@ Samples take_samples(const Shape& shape, const SamplePlan& plan) {
 }
 
 Registry<FieldType>& field_types() {
-  static Registry<FieldType> all("field", own_fields(), has_functions<&FieldType::make>, check_field_type);
+  static Registry<FieldType> all("field", builtin_fields(), has_functions<&FieldType::make>, check_field_type);
   return all;
 }
 

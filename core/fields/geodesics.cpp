@@ -161,8 +161,8 @@ GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& 
   for (std::int32_t& v : merged_shape.triangles.reshaped()) v = merged[static_cast<std::size_t>(v)];
   const GeodesicDistances distances = geodesic_distances_cgal(merged_shape, options.method);
   return [merged, distances](std::int32_t source) {
-    const Eigen::VectorXd at_places = distances(merged[static_cast<std::size_t>(source)]);
-    return Eigen::VectorXd(at_places(merged));
+    const Eigen::VectorXd to_merged = distances(merged[static_cast<std::size_t>(source)]);
+    return Eigen::VectorXd(to_merged(merged));
   };
 }
 

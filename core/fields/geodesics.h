@@ -31,11 +31,11 @@ struct GeodesicOptions {
 /// Names, bounds and help texts of the parameters in GeodesicOptions (option_parameters.h).
 inline constexpr std::array geodesic_table = {
     option_of<&GeodesicOptions::method>("method",
-                                        "graph: shortest paths, for any shape, a few percent too long; heat and exact: "
-                                        "CGAL's algorithms, for connected manifold meshes."),
-    option_of<&GeodesicOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 64},
-        "Number of nearest points to which each point of a cloud is connected, also across gaps between components."),
+                                        "Geodesic algorithm. graph: shortest paths, for any shape, a few percent too "
+                                        "long; heat, exact: CGAL's, for connected manifold meshes only."),
+    option_of<&GeodesicOptions::neighbours>("neighbours", {.low = 1, .high = 64},
+                                            "With method graph: number of nearest points to which each point of a "
+                                            "cloud is connected; for meshes, only across gaps between components."),
 };
 
 /// Function that returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no

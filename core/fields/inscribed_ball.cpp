@@ -96,20 +96,20 @@ class TouchingBalls::Search {
   }
 
   /// See TouchingBalls::may_touch().
-  [[nodiscard]] bool may_touch(const Triangle& given, const Eigen::Vector3d& normal, BallSide side,
-                               double limit) const {
-    const Corners part{frame_.to_unit(given.a), frame_.to_unit(given.b), frame_.to_unit(given.c)};
+  [[nodiscard]] bool may_touch(const Triangle& part, const Eigen::Vector3d& normal, BallSide side, double limit) const {
+    const Corners corners{frame_.to_unit(part.a), frame_.to_unit(part.b), frame_.to_unit(part.c)};
     const Eigen::Vector3d direction = direction_of(normal, side);
-    const Eigen::Vector3d middle = (part[0] + part[1] + part[2]) / 3;
+    const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
     double extent = 0;
-    for (const Eigen::Vector3d& corner : part) extent = std::max(extent, (corner - middle).norm());
+    for (const Eigen::Vector3d& corner : corners) extent = std::max(extent, (corner - middle).norm());
     // This cone contains those of all points of the part.
     const double back = extent * cone_cosine_ / std::sqrt(1 - cone_cosine_ * cone_cosine_);
     Ball ball{.centre = middle, .radius = extent + limit / frame_.diagonal};
     bool found = false;
     tree_.search({middle - back * direction, direction, cone_cosine_, min_normal_cosine()}, ball,
                  [&](std::int32_t triangle, Ball& searched) {
-                   found = found || (triangle >= 0 && is_opposite(triangle, part, middle, direction, searched.radius));
+                   found =
+                       found || (triangle >= 0 && is_opposite(triangle, corners, middle, direction, searched.radius));
                    if (found) searched.radius = 0;
                  });
     return found;

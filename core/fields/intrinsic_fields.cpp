@@ -19,8 +19,8 @@ namespace shapegauge {
 namespace {
 
 constexpr std::string_view meaning_of_on =
-    "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, also for damaged meshes "
-    "and clouds.";
+    "Surface to use. mesh: the shape's edges and triangles; proxy: evenly spread surface points, which also support "
+    "damaged meshes and clouds.";
 
 struct CentricityField {
   CentricityOptions options = {};
@@ -99,7 +99,7 @@ struct HeatKernelField {
 constexpr std::array heat_kernel_table = {
     with_unit("areas of the surface",
               option_of<&HeatKernelField::time>("time", {.low = 1e-6, .high = 100},
-                                                "Diffusion time: about the square of the neighbourhood's size.")),
+                                                "Diffusion time; larger values describe larger neighbourhoods.")),
     nested_option<&HeatKernelField::spectrum, spectrum_table, 0>(),
     nested_option<&HeatKernelField::spectrum, spectrum_table, 1>(),
 };
@@ -117,8 +117,9 @@ struct ScaleInvariantField {
 };
 
 constexpr std::array scale_invariant_table = {
-    option_of<&ScaleInvariantField::frequency>("frequency", {.low = 0, .high = 63},
-                                               "Index of the Fourier coefficient over the logarithm of time."),
+    option_of<&ScaleInvariantField::frequency>(
+        "frequency", {.low = 0, .high = 63},
+        "Index of the Fourier coefficient; the transform is over the logarithm of the diffusion time."),
     nested_option<&ScaleInvariantField::spectrum, spectrum_table, 0>(),
     nested_option<&ScaleInvariantField::spectrum, spectrum_table, 1>(),
 };
@@ -138,7 +139,8 @@ struct WaveKernelField {
 };
 
 constexpr std::array wave_kernel_field_table = {
-    option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999}, "Index of the energy, in ascending order."),
+    option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999},
+                                        "Index of the energy, from 0 (lowest) to energies - 1."),
     nested_option<&WaveKernelField::options, wave_kernel_table, 0>(),
     nested_option<&WaveKernelField::options, wave_kernel_table, 1>(),
     nested_option<&WaveKernelField::spectrum, spectrum_table, 0>(),

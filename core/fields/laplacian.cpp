@@ -183,11 +183,11 @@ int component_count(const SparseMatrix& matrix) {
   return count;
 }
 
-/// Sums the matrices of triangles. Nodes are the used places of vertices, in the order of their first triangles.
+/// Sums the matrices of triangles. Nodes are the used welded vertices, in the order of their first triangles.
 class Assembly {
  public:
-  /// `places` are welded_vertices() of the mesh.
-  explicit Assembly(std::vector<std::int32_t> places) : places_(std::move(places)), node_at_(places_.size(), -1) {}
+  /// `welded` are welded_vertices() of the mesh.
+  explicit Assembly(std::vector<std::int32_t> welded) : welded_(std::move(welded)), node_at_(welded_.size(), -1) {}
 
   template <typename Corners>
   void add(const Corners& vertices, const Element& element) {
@@ -216,13 +216,13 @@ class Assembly {
     result.stiffness.resize(nodes, nodes);
     result.stiffness.setFromTriplets(entries_.begin(), entries_.end());
     result.mass = Eigen::Map<const Eigen::VectorXd>(mass_.data(), nodes);
-    for (const std::int32_t place : places_) result.node_of.push_back(node_at_[static_cast<std::size_t>(place)]);
+    for (const std::int32_t vertex : welded_) result.node_of.push_back(node_at_[static_cast<std::size_t>(vertex)]);
     return result;
   }
 
  private:
   std::int32_t node_of(std::int32_t vertex) {
-    std::int32_t& node = node_at_[static_cast<std::size_t>(places_[static_cast<std::size_t>(vertex)])];
+    std::int32_t& node = node_at_[static_cast<std::size_t>(welded_[static_cast<std::size_t>(vertex)])];
     if (node < 0) {
       node = static_cast<std::int32_t>(mass_.size());
       mass_.push_back(0);
@@ -230,19 +230,19 @@ class Assembly {
     return node;
   }
 
-  std::vector<std::int32_t> places_;   ///< per vertex
-  std::vector<std::int32_t> node_at_;  ///< by place; -1 for none
+  std::vector<std::int32_t> welded_;   ///< per vertex: its welded vertex
+  std::vector<std::int32_t> node_at_;  ///< per welded vertex; -1 for none
   std::vector<double> mass_;           ///< per node
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
 }  // namespace
 
-Laplacian cotangent_laplacian(const Shape& given) {
-  require_usable(given);
-  if (is_cloud(given))
+Laplacian cotangent_laplacian(const Shape& shape) {
+  require_usable(shape);
+  if (is_cloud(shape))
     throw InputError("the Laplacian needs triangles, and the shape is a point cloud; use \"on\": \"proxy\"");
-  const Shape mesh = without_duplicates(given);
+  const Shape mesh = without_duplicates(shape);
   Assembly assembly(welded_vertices(mesh.vertices));
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
     if (const std::optional<Element> element = element_of(mesh, f)) assembly.add(mesh.triangles.row(f), *element);

@@ -24,13 +24,13 @@ std::vector<Parameter> offset_sdf_parameters() {
   Parameter offset = parameter_named("offset", offset_sdf_table);
   offset.default_value = {};
   offset.choices = automatic;
-  offset.description = "Offset distance; auto: between 1 and 5 %, chosen for each shape from its gaps and noise.";
+  offset.description = "Distance of the offset surface; auto: 1 to 5 %, chosen for each shape by its gaps and noise.";
   return {offset, parameter_named("accuracy", offset_sdf_table)};
 }
 
 FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
-  const auto* const given = std::get_if<double>(&values.value("offset"));
-  const std::optional<double> offset = given != nullptr ? std::optional(*given) : std::nullopt;  // else "auto"
+  const auto* const number = std::get_if<double>(&values.value("offset"));
+  const std::optional<double> offset = number != nullptr ? std::optional(*number) : std::nullopt;  // else "auto"
   const auto accuracy = member_value<OffsetAccuracy>(values.value("accuracy"));
   AlgorithmVersions versions{{"offset_sdf", offset_sdf_version}};
   if (!offset) versions["automatic_offset"] = automatic_offset_version;
@@ -124,7 +124,7 @@ FieldType inscribed_ball_type() {
 FieldType gap_type() {
   constexpr auto parameters = parameters_of(inscribed_ball_table);
   return {"gap",
-          "Width of a gap: diameter of the largest empty ball that touches the surface at the sample from outside.",
+          "Diameter of the largest empty ball that touches the surface at the sample from outside.",
           {parameters.begin(), parameters.end()},
           gap_field};
 }

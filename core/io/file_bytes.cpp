@@ -59,7 +59,7 @@ struct NewFile {
 };
 
 /// Creates a new file next to `path` under a unique name: other threads and processes may write to the same folder.
-NewFile create_beside(const fs::path& path, mode_t mode) {
+NewFile create_temporary(const fs::path& path, mode_t mode) {
   static std::atomic<unsigned> counter = 0;
   while (true) {
     // With part of the name only, as names have at most 255 bytes.
@@ -161,7 +161,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   target_ = target.empty() ? path_ : std::move(target);
   constexpr mode_t by_umask = 0666;
   const auto mode = static_cast<mode_t>(status.permissions() & fs::perms::mask);
-  NewFile file = create_beside(target_, fs::exists(status) ? mode : by_umask);
+  NewFile file = create_temporary(target_, fs::exists(status) ? mode : by_umask);
   descriptor_ = file.descriptor;
   unfinished_ = std::move(file.path);
   // An existing file keeps its permissions, whatever the umask.

@@ -168,9 +168,9 @@ const Item& item_at(const std::vector<Item>& items, int index, const char* what,
 
 /// Reads a number of a component type. Normalised integers become -1 to 1, or 0 to 1.
 template <typename Number>
-double number_at(const unsigned char* place, bool normalised) {
+double number_at(const unsigned char* bytes, bool normalised) {
   Number number;
-  std::memcpy(&number, place, sizeof number);
+  std::memcpy(&number, bytes, sizeof number);
   if constexpr (std::is_floating_point_v<Number>) {
     return number;
   } else {
@@ -179,20 +179,20 @@ double number_at(const unsigned char* place, bool normalised) {
   }
 }
 
-double component_at(const unsigned char* place, int type, bool normalised) {
+double component_at(const unsigned char* bytes, int type, bool normalised) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return number_at<std::int8_t>(place, normalised);
+      return number_at<std::int8_t>(bytes, normalised);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return number_at<std::uint8_t>(place, normalised);
+      return number_at<std::uint8_t>(bytes, normalised);
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return number_at<std::int16_t>(place, normalised);
+      return number_at<std::int16_t>(bytes, normalised);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return number_at<std::uint16_t>(place, normalised);
+      return number_at<std::uint16_t>(bytes, normalised);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return number_at<std::uint32_t>(place, normalised);
+      return number_at<std::uint32_t>(bytes, normalised);
     default:
-      return number_at<float>(place, normalised);
+      return number_at<float>(bytes, normalised);
   }
 }
 
@@ -386,7 +386,7 @@ class GltfScene {
     Eigen::Affine3d parent;
   };
 
-  struct PlacedPoints {
+  struct PointsInstance {
     int accessor;
     Eigen::Affine3d transform;
   };
@@ -427,7 +427,7 @@ class GltfScene {
   }
 
   void add_mesh(const tinygltf::Mesh& mesh, const Eigen::Affine3d& transform) {
-    std::map<int, std::pair<std::size_t, std::size_t>> placed;  // by accessor: first vertex and number
+    std::map<int, std::pair<std::size_t, std::size_t>> added;  // per accessor: first vertex, number of vertices
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const auto found = primitive.attributes.find("POSITION");
       if (found == primitive.attributes.end()) continue;
@@ -437,12 +437,12 @@ class GltfScene {
         continue;
       }
       if (mode != TINYGLTF_MODE_TRIANGLES && mode >= 0 && mode < TINYGLTF_MODE_TRIANGLE_STRIP) continue;  // lines
-      if (!placed.contains(found->second)) {
+      if (!added.contains(found->second)) {
         const Positions positions = positions_of(model_, found->second, name_);
-        placed[found->second] = {soup_.vertices(), positions.size()};
+        added[found->second] = {soup_.vertices(), positions.size()};
         add_vertices(positions, transform);
       }
-      const auto& [first, count] = placed[found->second];
+      const auto& [first, count] = added[found->second];
       const bool mirrored = transform.linear().determinant() < 0;
       const auto triangles = triangles_of(corners_of(model_, primitive, count, name_), mode);
       require_room(soup_.triangles(), triangles.size(), "triangles");
@@ -462,14 +462,14 @@ class GltfScene {
   void add_vertices(const Positions& positions, const Eigen::Affine3d& transform) {
     require_room(soup_.vertices(), positions.size(), "vertices");
     for (const Eigen::Vector3d& position : positions) {
-      const Eigen::Vector3d place = transform * position;
-      if (!place.allFinite()) fail(name_, message_not_finite(static_cast<std::int64_t>(soup_.vertices())));
-      soup_.add_vertex({place[0], place[1], place[2]});
+      const Eigen::Vector3d transformed = transform * position;
+      if (!transformed.allFinite()) fail(name_, message_not_finite(static_cast<std::int64_t>(soup_.vertices())));
+      soup_.add_vertex({transformed[0], transformed[1], transformed[2]});
     }
   }
 
   void add_points() {
-    for (const PlacedPoints& points : points_) {
+    for (const PointsInstance& points : points_) {
       add_vertices(positions_of(model_, points.accessor, name_), points.transform);
     }
   }
@@ -478,7 +478,7 @@ class GltfScene {
   std::string name_;
   std::vector<bool> visited_;
   SoupBuilder soup_;
-  std::vector<PlacedPoints> points_;
+  std::vector<PointsInstance> points_;
 };
 
 void check_gltf_header(const std::string& bytes, const std::string& name) {

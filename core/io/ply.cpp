@@ -133,8 +133,9 @@ class PlyBody {
     std::array<double, 6> numbers = {};  // the position and the normal
     for (std::size_t k = 0; k < vertex_numbers_.size(); ++k) {
       const PlyProperty& property = element.properties[k];
-      const std::size_t place = vertex_numbers_[k];
-      if (place >= numbers_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
+      const std::size_t component = vertex_numbers_[k];
+      if (component >= numbers_read_ ? !skip(property) : !source_.read_real(numbers[component], property.type))
+        return false;
     }
     const auto [x, y, z, nx, ny, nz] = numbers;
     if (!is_finite({x, y, z})) source_.fail(message_not_finite(i));
@@ -186,7 +187,7 @@ class PlyBody {
     return true;
   }
 
-  /// Adds a triangle; one with a repeated corner only leads to another place of the strip.
+  /// Adds a triangle; one with a repeated corner only continues the strip elsewhere.
   void add_triangle_of_strip(const std::array<std::int32_t, 3>& corners, bool turned) {
     const auto [a, b, c] = corners;
     if (a == b || b == c || c == a) return;

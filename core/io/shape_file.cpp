@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<ShapeFormat> own_formats() {
+std::vector<ShapeFormat> builtin_formats() {
   return {off_format(), obj_format(), ply_format(), stl_format(), gltf_format(), xyz_format()};
 }
 
@@ -121,7 +121,7 @@ ShapeWriter shape_writer(const fs::path& path) {
 }
 
 Registry<ShapeFormat>& shape_formats() {
-  static Registry<ShapeFormat> all("format of shapes", own_formats(),
+  static Registry<ShapeFormat> all("format of shapes", builtin_formats(),
                                    has_functions<&ShapeFormat::check_header, &ShapeFormat::read>, check_format);
   return all;
 }

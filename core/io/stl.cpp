@@ -45,7 +45,7 @@ class MergingBuilder {
   void begin_face() { soup_.begin_face(); }
 
   void add_corner(Position position) {
-    for (double& x : position) x += 0.0;  // -0 becomes 0: they are equal, so they must hash alike
+    for (double& x : position) x += 0.0;  // -0 becomes 0: they are equal, so they must have the same hash
     const auto [vertex, is_new] = numbers_.try_emplace(position, static_cast<std::int32_t>(soup_.vertices()));
     if (is_new) soup_.add_vertex(position);
     soup_.add_corner(vertex->second);

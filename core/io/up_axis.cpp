@@ -46,7 +46,9 @@ Parameter up_parameter() {
           .kind = ParameterKind::choice,
           .default_value = word_of(UpAxis::automatic),
           .choices = words_of<UpAxis>,
-          .description = "Axis that points up. auto: by a comment \"# up: z\", otherwise y (OFF, OBJ, glTF) or z."};
+          .description =
+              "Axis that points up. auto: from a comment \"# up: z\" in the file; without it, y for OFF, OBJ and glTF, "
+              "z for other formats."};
 }
 
 std::string read_up_comment(const std::filesystem::path& file) {

@@ -22,10 +22,10 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
                            float* squared) {
   const PointLanes d;
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const QueryPoint place(from);
+  const QueryPoint query(from);
   auto smallest = infinite;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto sum = place.squared(x + i, y + i, z + i);
+    const auto sum = query.squared(x + i, y + i, z + i);
     hn::StoreU(sum, d, squared + i);
     smallest = hn::Min(smallest, hn::IfThenElse(hn::FirstN(d, n - i), sum, infinite));
   }
@@ -83,9 +83,9 @@ void keep_candidates(const GridPoints& points, NearbyPoints& nearby) {
       const Numbers x = hn::LoadU(d, &points.x[i]);
       const Numbers y = hn::LoadU(d, &points.y[i]);
       const Numbers z = hn::LoadU(d, &points.z[i]);
-      const Numbers apart =
+      const Numbers l1_distance =
           hn::Add(hn::Abs(hn::Sub(x, a.x)), hn::Add(hn::Abs(hn::Sub(y, a.y)), hn::Abs(hn::Sub(z, a.z))));
-      const auto is_near = hn::Le(hn::LoadU(d, squared + (i - begin)), hn::MulAdd(edge, apart, least));
+      const auto is_near = hn::Le(hn::LoadU(d, squared + (i - begin)), hn::MulAdd(edge, l1_distance, least));
       const auto is_candidate = hn::And(hn::FirstN(d, end - i), is_near);
       count = copy_selected_points(points, i, is_candidate, nearby, count);
     }
@@ -137,11 +137,11 @@ std::uint64_t nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f
       improve(up - 3, best3, index3);
     }
     const auto finish = [&](std::size_t layer, const auto& best, const auto& index) {
-      const std::size_t place = 16 * layer + lane;
-      hn::StoreU(hn::GatherIndex(di, points.triangle.data(), index), di, triangles + place);
+      const std::size_t cell = 16 * layer + lane;
+      hn::StoreU(hn::GatherIndex(di, points.triangle.data(), index), di, triangles + cell);
       std::array<std::uint8_t, 8> bytes{};
       hn::StoreMaskBits(d, hn::Gt(best, hn::Set(d, r2)), bytes.data());
-      free |= (std::uint64_t{bytes[0]} | std::uint64_t{bytes[1]} << 8U) << place;
+      free |= (std::uint64_t{bytes[0]} | std::uint64_t{bytes[1]} << 8U) << cell;
     };
     finish(0, best0, index0);
     finish(1, best1, index1);
@@ -207,8 +207,8 @@ std::size_t indices_within(const float* numbers, std::size_t n, float limit, std
 
 BlockNeighbourhood::BlockNeighbourhood(double within) : distance(within) {
   // Number of blocks along an axis within the distance, given the squared distance along the other axes.
-  const auto blocks_within = [&](double squared_apart) {
-    const double rest2 = distance * distance - squared_apart;
+  const auto blocks_within = [&](double squared_across) {
+    const double rest2 = distance * distance - squared_across;
     return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
   };
   const auto gap = [](int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); };
@@ -223,15 +223,15 @@ BlockNeighbourhood::BlockNeighbourhood(double within) : distance(within) {
 
 BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
                          const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found) {
-  const Eigen::Vector3i place = grid.block_at(block);
-  collect_runs(grid, surface.points, place, around, nearby);
-  const Eigen::Vector3f centre = ((place.cast<float>().array() + 0.5F) * block_edge).matrix();
+  const Eigen::Vector3i coordinates = grid.block_at(block);
+  collect_runs(grid, surface.points, coordinates, around, nearby);
+  const Eigen::Vector3f centre = ((coordinates.cast<float>().array() + 0.5F) * block_edge).matrix();
   HWY_DYNAMIC_DISPATCH(measure_from_centre)(surface.points, centre, nearby);
   const double distance = std::sqrt(static_cast<double>(nearby.nearest_squared));
   if (distance > around.distance + block_radius) return BlockKind::free;
   if (distance + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
   HWY_DYNAMIC_DISPATCH(keep_candidates)(surface.points, nearby);
-  const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
+  const Eigen::Vector3f first = (coordinates.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;
   found.free =
       HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, static_cast<float>(grid.r * grid.r), found.nearest.data());

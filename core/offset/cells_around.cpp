@@ -39,9 +39,9 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
         touches |= state == ExteriorGrid::all_exterior;
         continue;
       }
-      const auto place = static_cast<std::size_t>(state);
+      const auto boundary_index = static_cast<std::size_t>(state);
       const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
-      const auto& nearest = exterior.boundary()[place].nearest;
+      const auto& nearest = exterior.boundary()[boundary_index].nearest;
       add(nearest[bit]);
       if (blocks_along_x == 1) add(nearest[bit + 1]);
     }

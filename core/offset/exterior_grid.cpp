@@ -122,14 +122,14 @@ class ExteriorGrid::Flood {
       free_queue_.pop_back();
       return spread_to_neighbours(index, all_cells);
     }
-    const auto place = static_cast<std::size_t>(seeded_queue_.back());
+    const auto boundary_index = static_cast<std::size_t>(seeded_queue_.back());
     seeded_queue_.pop_back();
-    BlockCells& cells = exterior_.exterior_[place];
-    const BlockCells wider = flood_fill(cells | seeds_[place], exterior_.boundary_[place].free);
+    BlockCells& cells = exterior_.exterior_[boundary_index];
+    const BlockCells wider = flood_fill(cells | seeds_[boundary_index], exterior_.boundary_[boundary_index].free);
     const BlockCells added = wider & ~cells;
-    seeds_[place] = 0;
+    seeds_[boundary_index] = 0;
     cells = wider;
-    spread_to_neighbours(exterior_.boundary_[place].index, added);
+    spread_to_neighbours(exterior_.boundary_[boundary_index].index, added);
   }
 
   /// Spreads exterior cells of a block to its neighbours.
@@ -149,10 +149,11 @@ class ExteriorGrid::Flood {
     std::int32_t& state = exterior_.state_[index];
     if (state == all_exterior || state == none_exterior) return;
     if (state >= 0) {
-      const auto place = static_cast<std::size_t>(state);
-      const BlockCells added = touched & exterior_.boundary_[place].free & ~exterior_.exterior_[place];
-      if (added != 0 && seeds_[place] == 0) seeded_queue_.push_back(state);
-      seeds_[place] |= added;
+      const auto boundary_index = static_cast<std::size_t>(state);
+      const BlockCells added =
+          touched & exterior_.boundary_[boundary_index].free & ~exterior_.exterior_[boundary_index];
+      if (added != 0 && seeds_[boundary_index] == 0) seeded_queue_.push_back(state);
+      seeds_[boundary_index] |= added;
     } else if (state < unknown) {
       reached_[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
     } else if (near_surface_[index] == 0) {
@@ -228,15 +229,15 @@ BlockCells cubes_at_exterior(const ExteriorGrid& exterior, const Eigen::Vector3i
     return exterior.exterior_cells(grid.block_index(at));
   };
   const auto along_x = [&](int j, int k) {
-    const BlockCells own = cells(0, j, k);
-    return own | (own & ~low_x_cells) >> 1U | (cells(1, j, k) & low_x_cells) << 3U;
+    const BlockCells first = cells(0, j, k);
+    return first | (first & ~low_x_cells) >> 1U | (cells(1, j, k) & low_x_cells) << 3U;
   };
   const auto along_y = [&](int k) {
-    const BlockCells own = along_x(0, k);
-    return own | (own & ~low_y_cells) >> 4U | (along_x(1, k) & low_y_cells) << 12U;
+    const BlockCells first = along_x(0, k);
+    return first | (first & ~low_y_cells) >> 4U | (along_x(1, k) & low_y_cells) << 12U;
   };
-  const BlockCells own = along_y(0);
-  return own | own >> 16U | along_y(1) << 48U;
+  const BlockCells first = along_y(0);
+  return first | first >> 16U | along_y(1) << 48U;
 }
 
 }  // namespace
@@ -263,9 +264,9 @@ void ExteriorGrid::find_cubes(bool parallel) {
   cubes_.push_back(halves(all_cells));
   first_cubes_ = static_cast<std::ptrdiff_t>(cubes_.size());
   cubes_.resize(cubes_.size() + boundary_.size());
-  for_each_index(parallel, std::size_t{0}, boundary_.size(), [&](std::size_t place) {
-    const Eigen::Vector3i block = grid_.block_at(boundary_[place].index);
-    cubes_[static_cast<std::size_t>(first_cubes_) + place] = halves(cubes_at_exterior(*this, block));
+  for_each_index(parallel, std::size_t{0}, boundary_.size(), [&](std::size_t i) {
+    const Eigen::Vector3i block = grid_.block_at(boundary_[i].index);
+    cubes_[static_cast<std::size_t>(first_cubes_) + i] = halves(cubes_at_exterior(*this, block));
   });
 }
 
@@ -279,9 +280,9 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
   classify_diagonal_neighbours(near_surface, band, parallel);
   std::replace(state_.begin(), state_.end(), unknown, none_exterior);
   find_cubes(parallel);
-  for (std::size_t place = 0; place < boundary_.size(); ++place) {
-    for (BlockCells cells = exterior_[place]; cells != 0; cells &= cells - 1) {
-      std::int32_t& nearest = boundary_[place].nearest[static_cast<std::size_t>(std::countr_zero(cells))];
+  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+    for (BlockCells cells = exterior_[i]; cells != 0; cells &= cells - 1) {
+      std::int32_t& nearest = boundary_[i].nearest[static_cast<std::size_t>(std::countr_zero(cells))];
       nearest = ~nearest;
     }
   }

@@ -16,7 +16,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Edge of the cubes in each of which one small triangle is kept, in units of r.
+/// Edge of the cubes in each of which one small triangle is retained, in units of r.
 constexpr double cube_edge = 1.0 / 16;
 
 /// Returns the number of parts of at most max_length in a length. Faster than std::ceil.
@@ -90,12 +90,12 @@ struct Point {
   float x, y, z, area;
   std::int32_t triangle;
   std::uint32_t block;
-  std::uint16_t code;  ///< its place in the block, along a Morton curve
+  std::uint16_t code;  ///< its position in the block, along a Morton curve
   bool is_small;       ///< its triangle is small enough to be represented by another
 };
 
-/// Place of a point among the blocks and in its block.
-struct PlaceInBlocks {
+/// Block that contains a point, and position of the point in it.
+struct BlockPosition {
   std::uint32_t block;
   std::uint16_t code;  ///< along a Morton curve through the parts of the block
 };
@@ -110,7 +110,7 @@ class BlockFinder {
   }
 
   /// Finds the block and the cube in it that contain a position in cells.
-  [[nodiscard]] PlaceInBlocks find(const Eigen::Vector3d& at) const {
+  [[nodiscard]] BlockPosition find(const Eigen::Vector3d& at) const {
     const std::uint32_t x = part(at.x());
     const std::uint32_t y = part(at.y());
     const std::uint32_t z = part(at.z());
@@ -147,15 +147,15 @@ std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, dou
     triangles.set(f, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
     const Columns columns(t, spacing);
     const bool is_small = columns.longest <= cube_edge * grid.r;
-    const std::size_t own = points.size();
+    const std::size_t first_point = points.size();
     columns.for_each_point([&](const Eigen::Vector3d& at) {
-      const PlaceInBlocks place = blocks.find(at);
+      const BlockPosition position = blocks.find(at);
       points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 0,
-                        static_cast<std::int32_t>(f), place.block, place.code, is_small});
+                        static_cast<std::int32_t>(f), position.block, position.code, is_small});
     });
     const double area = (t.b - t.a).cross(t.c - t.a).norm() / 2;
-    const auto share = static_cast<float>(area / static_cast<double>(points.size() - own));
-    for (std::size_t i = own; i < points.size(); ++i) points[i].area = share;
+    const auto share = static_cast<float>(area / static_cast<double>(points.size() - first_point));
+    for (std::size_t i = first_point; i < points.size(); ++i) points[i].area = share;
   }
   return points;
 }
@@ -175,11 +175,11 @@ class CubeRepresentatives {
     cubes_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].is_small) continue;
-      const Eigen::Vector3f place =
+      const Eigen::Vector3f position =
           (Eigen::Vector3f(points[i].x, points[i].y, points[i].z) - corner) / static_cast<float>(edge_);
       // Rounding may move a point just outside its block.
-      const Eigen::Array3i cube = place.cast<int>().array().max(0).min(static_cast<int>(cubes_along_) - 1);
-      cubes_[i].off_centre = (place.array() - cube.cast<float>() - 0.5F).matrix().squaredNorm();
+      const Eigen::Array3i cube = position.cast<int>().array().max(0).min(static_cast<int>(cubes_along_) - 1);
+      cubes_[i].off_centre = (position.array() - cube.cast<float>() - 0.5F).matrix().squaredNorm();
       cubes_[i].number =
           (static_cast<std::size_t>(cube.z()) * cubes_along_ + static_cast<std::size_t>(cube.y())) * cubes_along_ +
           static_cast<std::size_t>(cube.x());
@@ -223,14 +223,14 @@ PointBoxes boxes_of_groups(const GridPoints& points, std::size_t count, bool par
   constexpr std::size_t size = PointBoxes::group_size;
   const std::size_t groups = (count + size - 1) / size;
   PointBoxes boxes;
-  const std::array<const float*, 3> places{points.x.data(), points.y.data(), points.z.data()};
-  for_each_index(parallel, std::size_t{0}, places.size(), [&](std::size_t k) {
+  const std::array<const float*, 3> coordinates{points.x.data(), points.y.data(), points.z.data()};
+  for_each_index(parallel, std::size_t{0}, coordinates.size(), [&](std::size_t k) {
     boxes.low[k].resize(groups + grid_padding);
     boxes.high[k].resize(groups + grid_padding);
     for (std::size_t i = 0; i < groups; ++i) {
       const auto first = static_cast<std::ptrdiff_t>(size * i);
       const auto in_group = static_cast<Eigen::Index>(std::min(size, count - size * i));
-      const Eigen::Map<const Eigen::ArrayXf> group(places[k] + first, in_group);
+      const Eigen::Map<const Eigen::ArrayXf> group(coordinates[k] + first, in_group);
       boxes.low[k][i] = group.minCoeff();
       boxes.high[k][i] = group.maxCoeff();
     }
@@ -238,8 +238,8 @@ PointBoxes boxes_of_groups(const GridPoints& points, std::size_t count, bool par
   return boxes;
 }
 
-/// Copies the points of a block, from a place on, that are omitted, or the others.
-void copy_block(const SortedPoints& all, std::size_t block, std::uint8_t which, std::size_t place, GridPoints& result) {
+/// Copies the omitted points of a block, or the others, to the result from index `next` on.
+void copy_block(const SortedPoints& all, std::size_t block, std::uint8_t which, std::size_t next, GridPoints& result) {
   constexpr unsigned index_bits = 32;
   thread_local std::vector<std::uint64_t> order;  // code in the high bits, index in the low ones
   order.clear();
@@ -249,11 +249,11 @@ void copy_block(const SortedPoints& all, std::size_t block, std::uint8_t which, 
   std::sort(order.begin(), order.end());
   for (const std::uint64_t entry : order) {
     const Point& point = all.list[static_cast<std::uint32_t>(entry)];
-    result.x[place] = point.x;
-    result.y[place] = point.y;
-    result.z[place] = point.z;
-    result.area[place] = point.area;
-    result.triangle[place++] = point.triangle;
+    result.x[next] = point.x;
+    result.y[next] = point.y;
+    result.z[next] = point.z;
+    result.area[next] = point.area;
+    result.triangle[next++] = point.triangle;
   }
 }
 
@@ -295,11 +295,11 @@ std::vector<Point> sorted_by_blocks(const std::vector<std::vector<Point>>& chunk
 
 }  // namespace
 
-void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach,
+void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& position, double reach,
                            std::vector<Run>& runs) const {
   runs.clear();
-  const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
-  const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
+  const Eigen::Vector3i low = grid.block_of(position.array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(position.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
   for (int k = low.z(); k <= high.z(); ++k) {
     for (int j = low.y(); j <= high.y(); ++j) {
       const std::size_t row = grid.block_index({0, j, k});
@@ -328,7 +328,8 @@ SurfaceExtent::SurfaceExtent(const Shape& shape)
   }
 }
 
-GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel) : spacing(apart) {
+GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double max_spacing, bool parallel)
+    : spacing(max_spacing) {
   const auto n = static_cast<std::size_t>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows());
   triangles.resize(n);
   const auto for_each = [parallel](std::size_t count, const auto& task) {

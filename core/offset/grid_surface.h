@@ -67,8 +67,8 @@ struct GridSurface {
   double squared_margin = 0;
   double points_per_block = 0;  ///< mean number of points in blocks with points
 
-  /// Samples points on the triangles of the shape, at most `apart` cells apart.
-  GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
+  /// Samples points on the triangles of the shape, at most `max_spacing` cells apart.
+  GridSurface(const BlockGrid& grid, const Shape& shape, double max_spacing, bool parallel);
 };
 
 /// Returns a triangle of the shape in cell coordinates.

@@ -62,10 +62,10 @@ class NormalSums {
 /// whatever the width of vectors.
 void add_normals(const GridPoints& points, const Coordinates& normals, const std::vector<GridPoints::Run>& runs,
                  const Eigen::Vector3f& from, float reach, LaneSums& sums) {
-  const QueryPoint place(from);
+  const QueryPoint query(from);
   for (std::size_t lane = 0; lane < PointBoxes::group_size; lane += hn::Lanes(PointLanes())) {
-    NormalSums part(points, normals, place, reach);
-    for_each_group(runs, place, points.boxes, reach,
+    NormalSums part(points, normals, query, reach);
+    for_each_group(runs, query, points.boxes, reach,
                    [&](std::size_t group) HWY_ATTR { part.add(group * PointBoxes::group_size + lane); });
     part.store(lane, sums);
   }

@@ -26,8 +26,8 @@ struct Contact {
   IntegerLanes triangle;
   VectorLanes normal;
   RealLanes height;
-  VectorLanes point;  ///< centre of the ball, on the triangle
-  LaneBits kept = 0;  ///< retained after the last step
+  VectorLanes point;      ///< centre of the ball, on the triangle
+  LaneBits retained = 0;  ///< lanes that keep the contact after the last step
 };
 
 /// Searches in the lanes of vectors.
@@ -95,7 +95,7 @@ class OffsetPointLanes {
     for (Contact& contact : contacts_) {
       const Reals excess = hn::Sub(dot(load(contact.normal), moved), load(contact.height));
       const Mask is_touched = hn::Or(is_long, hn::Le(excess, real(tolerance)));
-      contact.kept = bits_of(hn::And(is_touched, is_triangle(load(contact.triangle))));
+      contact.retained = bits_of(hn::And(is_touched, is_triangle(load(contact.triangle))));
     }
     const Mask oscillates =
         hn::And(hn::Lt(dot(step, load(last_step_)), real(0)), hn::Gt(length, hn::Mul(real(0.5F), load(step_length_))));
@@ -150,20 +150,22 @@ class OffsetPointLanes {
     others_count_ = cells_around_point;
     // On fine meshes the closest triangle is seldom one of the cells' but close to a contact.
     const LaneBits close = moving & bits_of(hn::Lt(load(step_length_), real(nearly_settled * r_)));
-    std::array<VectorLanes, max_contacts> places;
+    std::array<VectorLanes, max_contacts> positions;
     for (std::size_t i = 0; i < max_contacts; ++i) {
-      if ((close & contacts_[i].kept) != 0) store(minus_product(x, real(r_), load(contacts_[i].normal)), places[i]);
+      if ((close & contacts_[i].retained) != 0)
+        store(minus_product(x, real(r_), load(contacts_[i].normal)), positions[i]);
     }
-    for_each_lane(close, [&](std::size_t lane) { collect_near_contacts(lane, places); });
+    for_each_lane(close, [&](std::size_t lane) { collect_near_contacts(lane, positions); });
   }
 
-  /// Collects the triangles nearest to the kept contacts of a lane, given places on them, unless they are contacts.
-  void collect_near_contacts(std::size_t lane, const std::array<VectorLanes, max_contacts>& places) {
+  /// Collects the triangles nearest to the retained contacts of a lane, given positions on them, unless they are
+  /// contacts.
+  void collect_near_contacts(std::size_t lane, const std::array<VectorLanes, max_contacts>& positions) {
     const Eigen::Vector3d x = origin_.at(lane) + x_.at(lane);
     std::size_t next = cells_around_point;
     for (std::size_t i = 0; i < max_contacts; ++i) {
-      if ((contacts_[i].kept >> lane & 1U) == 0) continue;
-      const std::int32_t triangle = closest_.closest_near(places[i].at(lane), x);
+      if ((contacts_[i].retained >> lane & 1U) == 0) continue;
+      const std::int32_t triangle = closest_.closest_near(positions[i].at(lane), x);
       const bool is_contact = std::any_of(contacts_.begin(), contacts_.end(),
                                           [&](const Contact& contact) { return contact.triangle[lane] == triangle; });
       if (triangle < 0 || is_contact) continue;
@@ -190,8 +192,8 @@ class OffsetPointLanes {
     store(select(mask_of(found), load(x_), load(found_)), found_);
     is_found_ |= found;
     const LaneBits is_settled = found & bits_of(hn::Lt(load(step_length_), real(settled * r_)));
-    const Vectors apart = difference(load(known_), load(x_));
-    const LaneBits is_known = found & ~is_settled & bits_of(hn::Lt(length_of(apart), real(near_known * r_)));
+    const Vectors to_known = difference(load(known_), load(x_));
+    const LaneBits is_known = found & ~is_settled & bits_of(hn::Lt(length_of(to_known), real(near_known * r_)));
     is_found_ &= ~is_known;
     going &= ~is_settled & ~is_known;
     for_each_lane(going, [&](std::size_t lane) {
@@ -216,14 +218,14 @@ class OffsetPointLanes {
     return least;
   }
 
-  /// Updates the kept contacts at x, and adds up to two new ones that cover x: the closest, and the closest in another
-  /// direction. Returns the lanes with contacts.
+  /// Updates the retained contacts at x, and adds up to two new ones that cover x: the closest, and the closest in
+  /// another direction. Returns the lanes with contacts.
   LaneBits renew_contacts() {
     hide_known();
     for (std::size_t i = 0; i < max_contacts; ++i) {
-      const Mask is_kept = mask_of(contacts_[i].kept);
-      set(contacts_[i], is_kept, at_contacts_[i]);
-      remove(contacts_[i], hn::Not(is_kept));
+      const Mask is_retained = mask_of(contacts_[i].retained);
+      set(contacts_[i], is_retained, at_contacts_[i]);
+      remove(contacts_[i], hn::Not(is_retained));
     }
     const TriangleLanes first = closest_covering(zero_vectors(), infinity);
     add(first);
@@ -257,8 +259,8 @@ class OffsetPointLanes {
     for (std::size_t s = 0; s < others_count_; ++s) {
       const Reals squared = load(others_[s].squared);
       const Vectors vector = load(others_[s].vector);
-      const Mask is_apart = hn::Le(dot(vector, direction), hn::Mul(real(max_cosine), hn::Sqrt(squared)));
-      const Mask is_closer = hn::And(hn::Lt(squared, least), is_apart);
+      const Mask is_other_direction = hn::Le(dot(vector, direction), hn::Mul(real(max_cosine), hn::Sqrt(squared)));
+      const Mask is_closer = hn::And(hn::Lt(squared, least), is_other_direction);
       least = hn::IfThenElse(is_closer, squared, least);
       closest = select(is_closer, vector, closest);
       number = hn::IfThenElse(integer_mask(is_closer), load(others_[s].triangle), number);
@@ -312,7 +314,7 @@ class OffsetPointLanes {
   LaneBits is_found_ = 0;
   LaneBits is_truncated_ = 0;  ///< the last step was shortened
   LaneBits touches_exterior_ = 0;
-  VectorLanes origin_;  ///< p; all other places are relative to it
+  VectorLanes origin_;  ///< p; all other positions are relative to it
   VectorLanes x_, found_{}, known_, last_step_;
   RealLanes step_length_;   ///< length of the last step, before it was shortened
   RealLanes trust_radius_;  ///< maximum correction of a step, in units of r

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places in the lanes of vectors, compiled for each instruction set supported by Highway.
+// Positions in the lanes of vectors, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/offset/offset_depth.cpp"
@@ -28,8 +28,8 @@ struct ClosestLanes {
   LaneBits touches_exterior;
 };
 
-ClosestLanes closest_around(const ExteriorGrid& exterior, const VectorLanes& places) {
-  const Vectors x = load(places);
+ClosestLanes closest_around(const ExteriorGrid& exterior, const VectorLanes& positions) {
+  const Vectors x = load(positions);
   std::array<TriangleLanes, cells_around_point> cells;
   ClosestLanes result;
   result.touches_exterior = bits_of(find_cell_triangles(exterior, lowest_cells_around(exterior, x), cells.data()));
@@ -67,15 +67,15 @@ void set_depth(const ExteriorGrid& exterior, ClosestTriangles& triangles, const 
 }
 
 void find_depths(const ExteriorGrid& exterior, ClosestTriangles& triangles, std::span<OffsetDepthTask> tasks) {
-  VectorLanes places;
-  store(zero_vectors(), places);
+  VectorLanes positions;
+  store(zero_vectors(), positions);
   std::array<OffsetDepthTask*, max_lanes> task_of{};
   const auto begin = [&](std::size_t lane, OffsetDepthTask& task) {
-    places.set(lane, task.x.cast<float>());
+    positions.set(lane, task.x.cast<float>());
     task_of[lane] = &task;
   };
   const auto step = [&](LaneBits running, LaneBits /*started*/) {
-    const ClosestLanes closest = closest_around(exterior, places);
+    const ClosestLanes closest = closest_around(exterior, positions);
     for_each_lane(running, [&](std::size_t lane) { set_depth(exterior, triangles, closest, lane, *task_of[lane]); });
     return running;
   };

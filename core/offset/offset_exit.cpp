@@ -40,7 +40,7 @@ struct RayAxis {
     return hn::And(hn::Gt(cube, integer(-1)), hn::Lt(cube, integer(cells)));
   }
   [[nodiscard]] HWY_INLINE Integers block() const { return hn::Mul(hn::ShiftRight<2>(cube), integer(stride)); }
-  [[nodiscard]] HWY_INLINE Integers place_in_block() const { return hn::And(cube, integer(block_edge - 1)); }
+  [[nodiscard]] HWY_INLINE Integers cube_in_block() const { return hn::And(cube, integer(block_edge - 1)); }
 };
 
 /// Box of cubes that rays leave: one cube, or those of a block.
@@ -59,8 +59,8 @@ struct RayBox {
   [[nodiscard]] HWY_INLINE Integers next(const RayAxis& axis, Reals t) const {
     const Integers beyond =
         hn::IfThenElse(integer_mask(axis.is_descending), hn::Sub(low, integer(1)), hn::Add(high, integer(1)));
-    const Integers beside = hn::Min(hn::Max(axis.cube_at(t), low), high);
-    return hn::IfThenElse(integer_mask(hn::Le(end, t)), beyond, beside);
+    const Integers inside = hn::Min(hn::Max(axis.cube_at(t), low), high);
+    return hn::IfThenElse(integer_mask(hn::Le(end, t)), beyond, inside);
   }
 };
 
@@ -149,11 +149,11 @@ class OffsetExitLanes {
   HWY_INLINE hn::Mask<DI> has_exterior_corner(const RayAxis& x, const RayAxis& y, const RayAxis& z,
                                               Integers state) const {
     const hn::RebindToUnsigned<D> du;
-    const Integers place_z = z.place_in_block();
-    const Integers half = hn::Add(hn::Add(state, state), hn::ShiftRight<1>(place_z));
+    const Integers cube_z = z.cube_in_block();
+    const Integers half = hn::Add(hn::Add(state, state), hn::ShiftRight<1>(cube_z));
     const Unsigned cubes = hn::GatherIndex(du, exterior_.cubes()->data(), half);
-    const Integers bit = hn::Add(x.place_in_block(), hn::Add(hn::ShiftLeft<2>(y.place_in_block()),
-                                                             hn::ShiftLeft<4>(hn::And(place_z, integer(1)))));
+    const Integers bit = hn::Add(
+        x.cube_in_block(), hn::Add(hn::ShiftLeft<2>(y.cube_in_block()), hn::ShiftLeft<4>(hn::And(cube_z, integer(1)))));
     const Unsigned selected = hn::And(hn::Shr(cubes, hn::BitCast(du, bit)), hn::Set(du, 1));
     return hn::Gt(hn::BitCast(DI(), selected), integer(0));
   }
@@ -211,17 +211,17 @@ class OffsetExitLanes {
     return hn::IfThenElseZero(is_covered, hn::Sub(hn::Sqrt(half_chord2), along));
   }
 
-  /// Finds triangles that are nearest to none of the cells but may be closer to x: they are near the closest one, whose
-  /// place is given. Returns the lanes with one.
-  LaneBits find_closer(LaneBits lanes, const Vectors& x, const Vectors& place) {
+  /// Finds triangles that are nearest to none of the cells but may be closer to x: they are near `nearest`, the
+  /// closest point of the surrounding triangles. Returns the lanes with one.
+  LaneBits find_closer(LaneBits lanes, const Vectors& x, const Vectors& nearest) {
     VectorLanes positions;
-    VectorLanes places;
+    VectorLanes nearest_points;
     store(x, positions);
-    store(place, places);
+    store(nearest, nearest_points);
     store(integer(-1), closer_.triangle);
     LaneBits found = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
-      const std::int32_t triangle = closest_.closest_near(places.at(lane), positions.at(lane));
+      const std::int32_t triangle = closest_.closest_near(nearest_points.at(lane), positions.at(lane));
       for (const TriangleLanes& cell : cells_) {
         if (cell.triangle[lane] == triangle) return;
       }

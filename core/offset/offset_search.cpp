@@ -179,16 +179,16 @@ bool OffsetSearch::collect_starts() {
 /// Makes the transition of all running searches; those that iterate keep running.
 template <typename Transition>
 void OffsetSearch::advance_all(const Transition& transition) {
-  std::size_t kept = 0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < running_.size(); ++i) {
     Search& search = searches_[running_[i]];
     search.state = transition(search, tasks_[i]);
     if (search.state != State::iteration) continue;
-    tasks_[kept] = tasks_[i];
-    running_[kept++] = running_[i];
+    tasks_[count] = tasks_[i];
+    running_[count++] = running_[i];
   }
-  tasks_.resize(kept);
-  running_.resize(kept);
+  tasks_.resize(count);
+  running_.resize(count);
 }
 
 /// Iterates from the starts of the running searches until each ends or needs more sites.

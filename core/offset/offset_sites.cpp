@@ -33,7 +33,7 @@ struct FoundSites {
     const double r = exterior.grid().r;
     // Most cells are farther; single precision suffices to reject them.
     const auto farthest2 = static_cast<float>(1.0001 * (r + band) * (r + band));
-    const Eigen::Vector3i place = exterior.grid().block_at(block.index);
+    const Eigen::Vector3i coordinates = exterior.grid().block_at(block.index);
     constexpr std::size_t batch = TriangleTable::batch_size;
     std::array<std::int32_t, batch> triangles{};
     std::array<Eigen::Vector3d, batch> centres;
@@ -44,7 +44,7 @@ struct FoundSites {
       for (; remaining != 0 && count < batch; remaining &= remaining - 1, ++count) {
         const int bit = std::countr_zero(remaining);
         triangles[count] = ~block.nearest[static_cast<std::size_t>(bit)];  // of an exterior cell
-        centres[count] = centre_of(place, bit);
+        centres[count] = centre_of(coordinates, bit);
         vectors.set(count, centres[count]);
       }
       exterior.surface().triangles.vectors_to_each(vectors, triangles.data());
@@ -219,19 +219,19 @@ void NearbySites::collect_row(const Eigen::Vector3i& begin, int end) {
   }
 }
 
-std::array<double, 2> NearbySites::measure(const std::array<Eigen::Vector3d, 2>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
+std::array<double, 2> NearbySites::measure(const std::array<Eigen::Vector3d, 2>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     nearest_[i] = std::sqrt(static_cast<double>(
-        squared_distances(x_.data(), y_.data(), z_.data(), site_.size(), places[i].cast<float>(), squared_[i].data())));
+        squared_distances(x_.data(), y_.data(), z_.data(), site_.size(), points[i].cast<float>(), squared_[i].data())));
   }
   return nearest_;
 }
 
-void NearbySites::find_start_sites(std::size_t place, double margin, double apart, std::size_t max_count,
+void NearbySites::find_start_sites(std::size_t point, double margin, double min_spacing, std::size_t max_count,
                                    std::vector<Site>& found) {
   found.clear();
-  const auto limit = static_cast<float>(std::pow(nearest_[place] + margin, 2));
-  const std::vector<float>& squared = squared_[place];
+  const auto limit = static_cast<float>(std::pow(nearest_[point] + margin, 2));
+  const std::vector<float>& squared = squared_[point];
   within_margin_.clear();
   candidates_.resize(site_.size());
   const std::size_t count = indices_within(squared.data(), site_.size(), limit, candidates_.data());
@@ -241,12 +241,12 @@ void NearbySites::find_start_sites(std::size_t place, double margin, double apar
                                        [](const Site& a, const Site& b) { return a.distance < b.distance; });
     const std::size_t chosen = best->site;
     found.push_back({site_[chosen], std::sqrt(best->distance)});
-    const auto apart2 = static_cast<float>(apart * apart);
+    const auto min_spacing2 = static_cast<float>(min_spacing * min_spacing);
     std::erase_if(within_margin_, [&](const Site& site) {
       const float dx = x_[site.site] - x_[chosen];
       const float dy = y_[site.site] - y_[chosen];
       const float dz = z_[site.site] - z_[chosen];
-      return dx * dx + dy * dy + dz * dz <= apart2;
+      return dx * dx + dy * dy + dz * dz <= min_spacing2;
     });
   }
 }

@@ -86,9 +86,9 @@ class NearbySites {
   /// site; infinite without sites.
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& points);
   /// Finds the starting points for the search from one of the two points of the last measure() (0 or 1), by ascending
-  /// distance. They are sites whose distance exceeds the smallest by at most the margin, each farther than `apart` from
-  /// those before it; at most max_count.
-  void find_start_sites(std::size_t point, double margin, double apart, std::size_t max_count,
+  /// distance. They are sites whose distance exceeds the smallest by at most the margin, each farther than
+  /// `min_spacing` from those before it; at most max_count.
+  void find_start_sites(std::size_t point, double margin, double min_spacing, std::size_t max_count,
                         std::vector<Site>& found);
 
  private:

@@ -14,13 +14,13 @@ namespace {
 
 /// Tests in double precision: single precision loses the interior of triangles a thousand times as long as wide. The
 /// edges are tested as well, for triangles too thin for double precision.
-bool is_on_own_triangle(const BlockGrid& grid, const Shape& shape, std::int32_t triangle, const Eigen::Vector3d& p,
-                        double near_enough) {
+bool is_on_likely_triangle(const BlockGrid& grid, const Shape& shape, std::int32_t triangle, const Eigen::Vector3d& p,
+                           double near_enough) {
   if (is_cloud(shape)) return false;
   const auto is_near = [&](const Eigen::Vector3d& x) { return (x - p).norm() <= near_enough; };
-  const Triangle own = triangle_in_cells(grid, shape, triangle);
-  return is_near(closest_point(own, p)) || is_near(closest_point_on_segment(own.a, own.b, p)) ||
-         is_near(closest_point_on_segment(own.b, own.c, p)) || is_near(closest_point_on_segment(own.c, own.a, p));
+  const Triangle t = triangle_in_cells(grid, shape, triangle);
+  return is_near(closest_point(t, p)) || is_near(closest_point_on_segment(t.a, t.b, p)) ||
+         is_near(closest_point_on_segment(t.b, t.c, p)) || is_near(closest_point_on_segment(t.c, t.a, p));
 }
 
 /// Tests the triangles of the points near p.
@@ -65,7 +65,7 @@ bool is_on_surface(const ExteriorGrid& exterior, const Shape& shape, const Eigen
   const double near_enough = std::max(1e-3 * grid.r, 1e-6 / grid.cell);  // displacement of a sample by rounding
   return surface.triangles.is_over_face(p, triangle, near_enough) ||
          surface.triangles.squared_distance(p, triangle) <= near_enough * near_enough ||
-         is_on_own_triangle(grid, shape, triangle, p, near_enough) ||
+         is_on_likely_triangle(grid, shape, triangle, p, near_enough) ||
          is_on_any_triangle(exterior, surface.points, p, near_enough, nearby) ||
          is_on_any_triangle(exterior, surface.omitted, p, near_enough, nearby);
 }

@@ -30,8 +30,8 @@ struct CollectedPoints {
 };
 
 /// Finds the triangle closest to a point, in cells, among the triangles near a given position. Space is divided into
-/// cubic regions. The sampled points in and around a region are collected when the region is first needed, and kept for
-/// later searches. Used by one thread.
+/// cubic regions. The sampled points in and around a region are collected when the region is first needed, and reused
+/// by later searches. Used by one thread.
 class ClosestTriangles {
  public:
   ClosestTriangles(const BlockGrid& grid, const GridSurface& surface);

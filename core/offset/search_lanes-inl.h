@@ -117,15 +117,15 @@ struct TriangleLanes {
   RealLanes squared;      ///< squared length of `vector`; infinite without a triangle
 };
 
-/// Sets `vector` and `squared` of `surrounding` for the positions `places`, given its triangles. `records` are
+/// Sets `vector` and `squared` of `surrounding` for the `positions`, given its triangles. `records` are
 /// TriangleTable::records().
-HWY_INLINE void measure(const float* records, const Vectors& places, TriangleLanes& surrounding) {
+HWY_INLINE void measure(const float* records, const Vectors& positions, TriangleLanes& surrounding) {
   const Integers triangle = load(surrounding.triangle);
   const Mask has_triangle = is_triangle(triangle);
   if (hn::AllFalse(D(), has_triangle)) return store(real(infinity), surrounding.squared);
   IntegerLanes numbers;
   store(hn::Max(triangle, integer(0)), numbers);
-  const auto [vector, squared] = vectors_from_triangles(D(), records, numbers.data(), places);
+  const auto [vector, squared] = vectors_from_triangles(D(), records, numbers.data(), positions);
   store(vector, surrounding.vector);
   store(hn::IfThenElse(has_triangle, squared, real(infinity)), surrounding.squared);
 }
@@ -138,13 +138,13 @@ struct CellLanes {
 };
 
 /// Returns, per lane, the cell with the lowest coordinates among the eight that cells_around() returns for a position.
-HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vectors& places) {
+HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vectors& positions) {
   const auto along = [&](Reals coordinate, int axis) HWY_ATTR {
     const Integers nearest_corner = hn::ConvertTo(DI(), hn::Add(coordinate, real(0.5F)));
     const std::int32_t last = block_edge * exterior.grid().blocks[axis] - 2;
     return hn::Min(hn::Max(hn::Sub(nearest_corner, integer(1)), integer(0)), integer(last));
   };
-  return {along(places.x, 0), along(places.y, 1), along(places.z, 2)};
+  return {along(positions.x, 0), along(positions.y, 1), along(positions.z, 2)};
 }
 
 /// Finds, in each lane, the triangles closest to the eight cells around a position, given the cell with the lowest
@@ -174,8 +174,8 @@ HWY_INLINE Mask find_cell_triangles(const ExteriorGrid& exterior, const CellLane
     const Integers bit = hn::Or(hn::Or(bits[0][i], bits[1][j]), bits[2][k]);
     const Integers state = hn::GatherIndex(di, exterior.blocks(), block);
     const hn::Mask<DI> has_triangles = hn::Gt(state, integer(-1));
-    const Integers place = hn::Max(state, integer(0));
-    const Integers triangle = hn::GatherIndex(di, nearest, hn::Add(hn::Mul(place, integer(block_size)), bit));
+    const Integers boundary_index = hn::Max(state, integer(0));
+    const Integers triangle = hn::GatherIndex(di, nearest, hn::Add(hn::Mul(boundary_index, integer(block_size)), bit));
     const hn::Mask<DI> is_exterior = hn::Lt(triangle, integer(0));
     const Integers number = hn::IfThenElse(is_exterior, hn::Not(triangle), triangle);
     store(hn::IfThenElse(has_triangles, number, integer(-1)), found[cell].triangle);

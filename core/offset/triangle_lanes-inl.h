@@ -69,11 +69,11 @@ struct LaneDistances {
   hn::Vec<D> squared;     ///< squared length of `vector`
 };
 
-/// Computes, in each lane, the vector from the closest point of a triangle to the position `place`. `triangles` has one
+/// Computes, in each lane, the vector from the closest point of a triangle to the `position`. `triangles` has one
 /// index into `records` (TriangleTable::records()) per lane.
 template <typename D>
 HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, const std::int32_t* triangles,
-                                                   const LaneVectors<D>& place) {
+                                                   const LaneVectors<D>& position) {
   using Lanes = hn::Vec<D>;
   const Lanes zero = hn::Zero(d);
   const Lanes one = hn::Set(d, 1.0F);
@@ -81,7 +81,7 @@ HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, co
   const auto clamp = [&](Lanes t) HWY_ATTR { return hn::Min(hn::Max(t, zero), one); };
   Lanes field[16];
   load_transposed(d, records, triangles, field);
-  const LaneVectors<D> a{hn::Sub(place.x, field[0]), hn::Sub(place.y, field[1]), hn::Sub(place.z, field[2])};
+  const LaneVectors<D> a{hn::Sub(position.x, field[0]), hn::Sub(position.y, field[1]), hn::Sub(position.z, field[2])};
   const LaneVectors<D> ab{field[3], field[4], field[5]};
   const LaneVectors<D> ac{field[6], field[7], field[8]};
   const Lanes along_ab = dot(a, ab);

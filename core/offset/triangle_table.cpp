@@ -16,14 +16,14 @@ HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-/// Computes the vectors from the closest points of triangles to query points. places_at(d, lane) returns a vector of
+/// Computes the vectors from the closest points of triangles to query points. points_at(d, lane) returns a vector of
 /// query points.
-template <typename PlacesAt>
-HWY_INLINE void vectors_to_places(const float* records, const std::int32_t* triangles, const PlacesAt& places_at,
+template <typename PointsAt>
+HWY_INLINE void vectors_to_points(const float* records, const std::int32_t* triangles, const PointsAt& points_at,
                                   TriangleTable::Vectors& vectors) {
   const hn::CappedTag<float, TriangleTable::batch_size> d;
   for (std::size_t lane = 0; lane < TriangleTable::batch_size; lane += hn::Lanes(d)) {
-    const auto [vector, squared] = vectors_from_triangles(d, records, triangles + lane, places_at(d, lane));
+    const auto [vector, squared] = vectors_from_triangles(d, records, triangles + lane, points_at(d, lane));
     hn::Store(vector.x, d, vectors.x.data() + lane);
     hn::Store(vector.y, d, vectors.y.data() + lane);
     hn::Store(vector.z, d, vectors.z.data() + lane);
@@ -36,7 +36,7 @@ void vectors_to_one(const float* records, const std::int32_t* triangles, const E
   const auto same_for_all = [&](auto d, std::size_t /*lane*/) HWY_ATTR {
     return LaneVectors<decltype(d)>{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
   };
-  vectors_to_places(records, triangles, same_for_all, vectors);
+  vectors_to_points(records, triangles, same_for_all, vectors);
 }
 
 /// Replaces the points.
@@ -45,7 +45,7 @@ void vectors_to_each_of(const float* records, const std::int32_t* triangles, Tri
     return LaneVectors<decltype(d)>{hn::Load(d, points.x.data() + lane), hn::Load(d, points.y.data() + lane),
                                     hn::Load(d, points.z.data() + lane)};
   };
-  vectors_to_places(records, triangles, at, points);
+  vectors_to_points(records, triangles, at, points);
 }
 
 }  // namespace

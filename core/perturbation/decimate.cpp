@@ -192,8 +192,8 @@ void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, 
           merged[static_cast<std::size_t>(shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)))];
       auto& handle = by_fan[cut.corners.find(3 * f + k).first];
       if (!handle.is_valid()) {
-        const Eigen::Vector3d place = frame.to_unit(shape.vertices.row(vertex).transpose());
-        handle = input.mesh.add_vertex({place[0], place[1], place[2]});
+        const Eigen::Vector3d position = frame.to_unit(shape.vertices.row(vertex).transpose());
+        handle = input.mesh.add_vertex({position[0], position[1], position[2]});
         input.vertices.push_back(vertex);
       }
       triangle[k] = handle;
@@ -222,8 +222,8 @@ DecimationInput decimation_input(const Shape& shape) {
     }
   }
   for (const auto vertex : input.mesh.vertices()) {
-    const std::int32_t place = input.vertices[static_cast<std::size_t>(vertex.idx())];
-    input.mesh.status(vertex).set_locked(cut.locked[static_cast<std::size_t>(place)]);
+    const std::int32_t original = input.vertices[static_cast<std::size_t>(vertex.idx())];
+    input.mesh.status(vertex).set_locked(cut.locked[static_cast<std::size_t>(original)]);
   }
   return input;
 }

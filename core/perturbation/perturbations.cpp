@@ -26,13 +26,13 @@ Eigen::Vector2d gaussian_pair(RandomNumbers& random) {
 /// Moves the unmarked rows to the front and drops the others.
 template <typename Rows>
 void remove_rows(Rows& rows, const std::vector<bool>& removed) {
-  Eigen::Index kept = 0;
+  Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     if (removed[static_cast<std::size_t>(i)]) continue;
-    if (kept != i) rows.row(kept) = rows.row(i);
-    ++kept;
+    if (count != i) rows.row(count) = rows.row(i);
+    ++count;
   }
-  rows.conservativeResize(kept, Eigen::NoChange);
+  rows.conservativeResize(count, Eigen::NoChange);
 }
 
 /// Returns a triangle's centroid, or the point of a cloud.
@@ -45,19 +45,22 @@ Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
 constexpr auto vertex_noise_parameters = parameters_of(vertex_noise_table);
 
 constexpr std::array remove_faces_parameters{
-    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Fraction to remove."}};
+    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Fraction of faces or points to remove."}};
 
 constexpr auto punch_holes_parameters = parameters_of(punch_holes_table);
 
-constexpr std::array decimate_parameters{Parameter{.name = "faces",
-                                                   .kind = ParameterKind::integer,
-                                                   .bounds = decimate_faces_bounds,
-                                                   .description = "Maximum number of faces."}};
+constexpr std::array decimate_parameters{
+    Parameter{.name = "faces",
+              .kind = ParameterKind::integer,
+              .bounds = decimate_faces_bounds,
+              .description = "Target number of faces; smaller meshes are unchanged."}};
 
 constexpr auto sample_points_parameters = parameters_of(sample_points_table);
 
-constexpr std::array flip_orientation_parameters{Parameter{
-    .name = "fraction", .default_value = 1.0, .bounds = fraction_bounds, .description = "Fraction to reverse."}};
+constexpr std::array flip_orientation_parameters{Parameter{.name = "fraction",
+                                                           .default_value = 1.0,
+                                                           .bounds = fraction_bounds,
+                                                           .description = "Fraction of faces or normals to reverse."}};
 
 constexpr std::array motion_parameters{
     Parameter{.name = "scale",
@@ -83,9 +86,10 @@ Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers
 }
 
 std::string remark_on_decimation(const Shape& result, const ParameterValues& settings) {
-  const std::int64_t wanted = settings.integer("faces");
-  if (result.triangles.rows() <= wanted) return {};
-  return fmt::format("decimated to {} faces instead of {}: no valid collapse is left", result.triangles.rows(), wanted);
+  const std::int64_t requested = settings.integer("faces");
+  if (result.triangles.rows() <= requested) return {};
+  return fmt::format("decimated to {} faces instead of {}: no valid collapse is left", result.triangles.rows(),
+                     requested);
 }
 
 Shape apply_sample_points(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
@@ -105,19 +109,19 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
 }
 // NOLINTEND(performance-unnecessary-value-param)
 
-std::vector<ShapePerturbation> own_perturbations() {
+std::vector<ShapePerturbation> builtin_perturbations() {
   return {
-      {"vertex_noise", "Moves vertices or points at random.", vertex_noise_parameters, apply_vertex_noise},
-      {"remove_faces", "Removes random faces, or points of a cloud.", remove_faces_parameters, apply_remove_faces},
-      {"holes", "Cuts round holes at random points of the surface.", punch_holes_parameters, apply_punch_holes},
-      {"decimate", "Simplifies the mesh by quadric error metrics.", decimate_parameters, apply_decimate, 1,
+      {"vertex_noise", "Move vertices or points at random.", vertex_noise_parameters, apply_vertex_noise},
+      {"remove_faces", "Remove random faces, or points of a cloud.", remove_faces_parameters, apply_remove_faces},
+      {"holes", "Cut round holes at random points of the surface.", punch_holes_parameters, apply_punch_holes},
+      {"decimate", "Simplify the mesh by quadric error metrics.", decimate_parameters, apply_decimate, 1,
        remark_on_decimation},
-      {"sample_points", "Replaces the mesh by random points, uniform by area.", sample_points_parameters,
+      {"sample_points", "Replace the mesh by random points, uniform by area.", sample_points_parameters,
        apply_sample_points},
-      {"vertex_cloud", "Replaces the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},
-      {"flip_orientation", "Reverses random faces, or normals of a cloud.", flip_orientation_parameters,
-       apply_flip_orientation},
-      {"motion", "Rotates, translates and scales the shape at random.", motion_parameters, apply_random_motion},
+      {"vertex_cloud", "Replace the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},
+      {"flip_orientation", "Reverse the orientation of random faces, or normals of a cloud.",
+       flip_orientation_parameters, apply_flip_orientation},
+      {"motion", "Rotate, translate and scale the shape at random.", motion_parameters, apply_random_motion},
   };
 }
 
@@ -184,7 +188,8 @@ Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
 }
 
 Registry<ShapePerturbation>& shape_perturbations() {
-  static Registry<ShapePerturbation> all("perturbation", own_perturbations(), has_functions<&ShapePerturbation::apply>);
+  static Registry<ShapePerturbation> all("perturbation", builtin_perturbations(),
+                                         has_functions<&ShapePerturbation::apply>);
   return all;
 }
 

@@ -46,11 +46,11 @@ Shape sample_points(const Shape& shape, const SamplePointsOptions& options, Rand
 Shape vertex_cloud(const Shape& shape) {
   if (is_cloud(shape)) return {.vertices = shape.vertices, .triangles = {}};
   const std::vector<bool> used = used_vertices(shape);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> indices;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    if (used[static_cast<std::size_t>(i)]) kept.push_back(i);
+    if (used[static_cast<std::size_t>(i)]) indices.push_back(i);
   }
-  return {.vertices = shape.vertices(kept, Eigen::all), .triangles = {}};
+  return {.vertices = shape.vertices(indices, Eigen::all), .triangles = {}};
 }
 
 }  // namespace shapegauge

@@ -46,9 +46,9 @@ std::vector<ClosedPart> closed_parts(const Shape& shape) {
 
 }  // namespace
 
-ClosedComponents closed_components(const Shape& given) {
-  require_usable(given);
-  const Shape shape = without_duplicates(given);
+ClosedComponents closed_components(const Shape& original) {
+  require_usable(original);
+  const Shape shape = without_duplicates(original);
   if (is_cloud(shape) || !is_closed_and_oriented(shape)) return {};
   const std::vector<ClosedPart> parts = closed_parts(shape);
   const auto size = [](const ClosedPart& part) { return std::abs(part.six_volumes); };

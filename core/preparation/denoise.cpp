@@ -25,8 +25,7 @@ struct Neighbour {
 
 /// Returns the sorted neighbours of each welded vertex; those across edges with two triangles occur twice. Marks the
 /// vertices of the distinct triangles as used.
-BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const Welding& welding,
-                                            std::vector<bool>& used) {
+BucketSorted<Neighbour> welded_neighbours(const Triangles& triangles, const Welding& welding, std::vector<bool>& used) {
   const std::vector<std::int32_t>& merged = welding.vertices;
   std::vector<Neighbour> neighbours;
   neighbours.reserve(6 * static_cast<std::size_t>(triangles.rows()));
@@ -51,7 +50,7 @@ BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const We
 
 /// Computes unoriented vertex normals, independent of the triangles' orientation. Welded vertices have the same.
 Points unsigned_normals(const Points& vertices, const Triangles& triangles, const Welding& welding) {
-  const auto place_of = [&](Eigen::Index vertex) {
+  const auto welded_index = [&](Eigen::Index vertex) {
     return static_cast<std::size_t>(welding.vertices[static_cast<std::size_t>(vertex)]);
   };
   std::vector<Eigen::Matrix3d> spread(static_cast<std::size_t>(vertices.rows()), Eigen::Matrix3d::Zero());
@@ -64,11 +63,11 @@ Points unsigned_normals(const Points& vertices, const Triangles& triangles, cons
     const double length = cross.norm();
     if (!(length > 0)) continue;
     const Eigen::Matrix3d outer = cross * cross.transpose() / length;
-    for (int k = 0; k < 3; ++k) spread[place_of(triangles(f, k))] += outer;
+    for (int k = 0; k < 3; ++k) spread[welded_index(triangles(f, k))] += outer;
   }
   Points normals = Points::Zero(vertices.rows(), 3);
   for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
-    const Eigen::Matrix3d& matrix = spread[place_of(v)];
+    const Eigen::Matrix3d& matrix = spread[welded_index(v)];
     if (matrix.isZero(0)) continue;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(matrix / matrix.trace());
@@ -122,8 +121,8 @@ double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) 
   std::size_t same = 0;
   for (Eigen::Index v = 0; v < heights.offsets.rows(); ++v) {
     for (const std::int32_t u : neighbours.of(v)) {
-      const double alike = heights.normals.row(v).dot(heights.normals.row(u)) < 0 ? -1 : 1;
-      if (alike * heights.of(v) * heights.of(u) > 0) ++same;
+      const double sign = heights.normals.row(v).dot(heights.normals.row(u)) < 0 ? -1 : 1;
+      if (sign * heights.of(v) * heights.of(u) > 0) ++same;
     }
   }
   return neighbours.neighbours.empty() ? 1
@@ -150,17 +149,17 @@ void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double
 VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding) {
   const std::vector<std::int32_t>& merged = welding.vertices;
   std::vector<bool> used(merged.size());
-  const BucketSorted<Neighbour> places = neighbouring_places(shape.triangles, welding, used);
+  const BucketSorted<Neighbour> sorted = welded_neighbours(shape.triangles, welding, used);
   VertexNeighbours result;
   result.first.reserve(merged.size() + 1);
-  result.neighbours.reserve(places.values.size() / 2);
+  result.neighbours.reserve(sorted.values.size() / 2);
   for (std::size_t v = 0; v < merged.size(); ++v) {
     result.first.push_back(result.neighbours.size());
     if (!used[v]) continue;
-    const auto place = static_cast<std::size_t>(merged[v]);
-    for (std::size_t i = places.first[place]; i < places.first[place + 1]; ++i) {
-      const std::int32_t vertex = places.values[i].vertex;
-      if (i > places.first[place] && vertex == places.values[i - 1].vertex) continue;
+    const auto welded = static_cast<std::size_t>(merged[v]);
+    for (std::size_t i = sorted.first[welded]; i < sorted.first[welded + 1]; ++i) {
+      const std::int32_t vertex = sorted.values[i].vertex;
+      if (i > sorted.first[welded] && vertex == sorted.values[i - 1].vertex) continue;
       result.neighbours.push_back(vertex);
     }
   }

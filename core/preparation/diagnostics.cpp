@@ -117,8 +117,8 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   return found;
 }
 
-double signed_volume(const Shape& given) {
-  const Shape shape = without_duplicates(given);
+double signed_volume(const Shape& original) {
+  const Shape shape = without_duplicates(original);
   const Eigen::Vector3d centre = bounding_box(shape).center();
   double six_volumes = 0;
   for (const auto& triangle : shape.triangles.rowwise()) {

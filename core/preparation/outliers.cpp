@@ -28,7 +28,7 @@ std::size_t outlier_count(const Shape& shape) {
 }
 
 std::string outlier_text(std::size_t count, Eigen::Index points) {
-  return fmt::format("{} of {} points are outliers, farther from all others than 10 point spacings", count, points);
+  return fmt::format("{} of {} points are outliers, more than 10 point spacings from their neighbours", count, points);
 }
 
 std::optional<std::string> outlier_warning(const Shape& shape) {
@@ -40,13 +40,13 @@ std::optional<std::string> outlier_warning(const Shape& shape) {
 
 Shape without_outliers(Shape shape) {
   const std::vector<bool> marked = outliers(shape);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> inliers;
   for (std::size_t i = 0; i < marked.size(); ++i) {
-    if (!marked[i]) kept.push_back(static_cast<Eigen::Index>(i));
+    if (!marked[i]) inliers.push_back(static_cast<Eigen::Index>(i));
   }
-  if (kept.size() == marked.size()) return shape;
-  shape.vertices = shape.vertices(kept, Eigen::all).eval();
-  if (shape.normals.rows() > 0) shape.normals = shape.normals(kept, Eigen::all).eval();
+  if (inliers.size() == marked.size()) return shape;
+  shape.vertices = shape.vertices(inliers, Eigen::all).eval();
+  if (shape.normals.rows() > 0) shape.normals = shape.normals(inliers, Eigen::all).eval();
   return shape;
 }
 

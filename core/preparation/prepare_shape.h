@@ -38,13 +38,13 @@ struct PreparationOptions {
 /// Names, bounds and help texts of the parameters in PreparationOptions (option_parameters.h).
 inline constexpr std::array preparation_table = {
     option_of<&PreparationOptions::denoise>(
-        "denoise", "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."),
+        "denoise", "Smooth clearly noisy meshes, in proportion to their noise; other shapes are unchanged."),
     option_of<&PreparationOptions::remove_outliers>(
-        "remove_outliers", "Remove points of clouds that are farther from all others than 10 point spacings."),
+        "remove_outliers", "Remove isolated points of clouds, more than 10 point spacings from their neighbours."),
     option_of<&PreparationOptions::scale>(
         "scale",
-        "area: to unit surface area (clouds: estimated area); tube_area: to unit area, estimated from the volume of a "
-        "tube about the surface, which is robust to noise, cracks and sampling."),
+        "Area that is scaled to 1. area: of the surface (clouds: estimated); tube_area: estimate from the volume of a "
+        "tube about the surface, robust to noise, cracks and sampling."),
 };
 
 /// Result of prepare_shape(): the normalised shape and quantities estimated for it.

@@ -16,15 +16,15 @@ bool has_stray_normals(const Shape& shape) {
   const PointNeighbours nearest = nearest_neighbours(shape.vertices, 1);
   double agreement = 0;
   double stray = 0;
-  double given = 0;  // zero normals are unknown
+  double known = 0;  // zero normals are unknown
   for (Eigen::Index i = 0; i < estimated.rows(); ++i) {
     agreement += std::abs(estimated.row(i).dot(estimated.row(nearest.indices(i, 0))));
     const double length = shape.normals.row(i).stableNorm();
     if (!(length > 0)) continue;
-    given += 1;
+    known += 1;
     stray += std::abs(estimated.row(i).dot(shape.normals.row(i))) < cosine_of_60_degrees * length ? 1 : 0;
   }
-  return agreement >= min_agreement * static_cast<double>(estimated.rows()) && stray > max_stray * given;
+  return agreement >= min_agreement * static_cast<double>(estimated.rows()) && stray > max_stray * known;
 }
 
 bool remove_stray_normals(Shape& shape) {

@@ -117,21 +117,21 @@ std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses,
     const auto& corners = triangles[static_cast<std::size_t>(order[i])].corners;
     centroids.row(static_cast<Eigen::Index>(i)) = ((corners[0] + corners[1] + corners[2]) / 3).transpose();
   }
-  struct Place {
+  struct SortKey {
     std::uint64_t code;
     std::int32_t triangle;
   };
-  std::vector<Place> places(order.size());
+  std::vector<SortKey> keys(order.size());
   const std::vector<std::uint64_t> codes = morton_codes(centroids);
-  for (std::size_t i = 0; i < order.size(); ++i) places[i] = {codes[i], order[i]};
-  const auto corners_of = [&](const Place& place) {
-    const auto& corners = triangles[static_cast<std::size_t>(place.triangle)].corners;
+  for (std::size_t i = 0; i < order.size(); ++i) keys[i] = {codes[i], order[i]};
+  const auto corners_of = [&](const SortKey& key) {
+    const auto& corners = triangles[static_cast<std::size_t>(key.triangle)].corners;
     return std::tuple(coordinates_of(corners[0]), coordinates_of(corners[1]), coordinates_of(corners[2]));
   };
-  std::ranges::sort(places, [&](const Place& a, const Place& b) {
+  std::ranges::sort(keys, [&](const SortKey& a, const SortKey& b) {
     return a.code != b.code ? a.code < b.code : corners_of(a) < corners_of(b);
   });
-  std::ranges::transform(places, order.begin(), &Place::triangle);
+  std::ranges::transform(keys, order.begin(), &SortKey::triangle);
   return order;
 }
 
@@ -164,18 +164,18 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const HalfEdge> 
                        std::vector<std::int32_t>(static_cast<std::size_t>(count))};
   double covered = 0;
   Eigen::Index i = 0;
-  for (std::size_t place = 0; place < order.size() && i < count; ++place) {
-    const auto t = static_cast<std::size_t>(order[place]);
+  for (std::size_t k = 0; k < order.size() && i < count; ++k) {
+    const auto t = static_cast<std::size_t>(order[k]);
     const CanonicalTriangle& triangle = triangles[t];
     covered += triangle.normal.norm() / 2;
-    const bool last = place + 1 == order.size();
+    const bool last = k + 1 == order.size();
     const bool turned = triangle.reversed != (sheets.reversed[t] != 0);
     const Eigen::RowVector3d normal = (turned ? -1.0 : 1.0) * triangle.normal.normalized().transpose();
     for (; i < count && (last || (static_cast<double>(i) + 0.5) * total < covered * static_cast<double>(count)); ++i) {
       samples.points.row(i) = point_in(triangle, i);
       samples.normals.row(i) = normal;
       samples.sheets[static_cast<std::size_t>(i)] = sheets.sheet[t];
-      samples.triangles[static_cast<std::size_t>(i)] = order[place];
+      samples.triangles[static_cast<std::size_t>(i)] = order[k];
     }
   }
   return samples;
@@ -192,12 +192,12 @@ std::vector<std::int32_t> ordered_points(const Points& points, Eigen::Index coun
     const std::uint64_t of_b = codes[static_cast<std::size_t>(b)];
     return of_a != of_b ? of_a < of_b : std::tuple(coordinates(a), a) < std::tuple(coordinates(b), b);
   });
-  const auto same_place = [&](std::int32_t a, std::int32_t b) { return points.row(a) == points.row(b); };
-  order.erase(std::unique(order.begin(), order.end(), same_place), order.end());
-  const auto wanted = static_cast<std::size_t>(count);
-  if (order.size() <= wanted) return order;
-  for (std::size_t i = 0; i < wanted; ++i) order[i] = order[(2 * i + 1) * order.size() / (2 * wanted)];
-  order.resize(wanted);
+  const auto same_position = [&](std::int32_t a, std::int32_t b) { return points.row(a) == points.row(b); };
+  order.erase(std::unique(order.begin(), order.end(), same_position), order.end());
+  const auto max_size = static_cast<std::size_t>(count);
+  if (order.size() <= max_size) return order;
+  for (std::size_t i = 0; i < max_size; ++i) order[i] = order[(2 * i + 1) * order.size() / (2 * max_size)];
+  order.resize(max_size);
   return order;
 }
 

@@ -56,20 +56,20 @@ class FarthestPointSelection {
   }
 
   void add(Eigen::Index sample) {
-    const auto place = static_cast<std::int32_t>(result_.chosen.size());
+    const auto index = static_cast<std::int32_t>(result_.chosen.size());
     result_.chosen.push_back(static_cast<std::int32_t>(sample));
     const Eigen::Array3d point = samples_.points.row(sample).transpose().array();
     for (SampleBlock& block : blocks_) {
-      if (squared_distance(block, point) < block.farthest) cover(block, sample, place);
+      if (squared_distance(block, point) < block.farthest) cover(block, sample, index);
     }
   }
 
   /// Returns the sample farthest from those chosen, and its squared distance.
   [[nodiscard]] std::pair<Eigen::Index, double> farthest() const {
     const auto block = std::ranges::max_element(blocks_, {}, &SampleBlock::farthest);
-    Eigen::Index place = 0;
-    const double distance = squared_.segment(block->first, block->last - block->first).maxCoeff(&place);
-    return {block->first + place, distance};
+    Eigen::Index offset = 0;
+    const double distance = squared_.segment(block->first, block->last - block->first).maxCoeff(&offset);
+    return {block->first + offset, distance};
   }
 
   FarthestPoints result() && {
@@ -78,7 +78,7 @@ class FarthestPointSelection {
   }
 
  private:
-  void cover(SampleBlock& block, Eigen::Index sample, std::int32_t place) {
+  void cover(SampleBlock& block, Eigen::Index sample, std::int32_t index) {
     constexpr double agreeing = 0.3;
     double farthest = 0;
     for (Eigen::Index i = block.first; i < block.last; ++i) {
@@ -87,7 +87,7 @@ class FarthestPointSelection {
           (squared <= always_covered_ ||
            normal_agreement(samples_, static_cast<std::int32_t>(i), static_cast<std::int32_t>(sample)) > agreeing)) {
         squared_[i] = squared;
-        result_.nearest[static_cast<std::size_t>(i)] = place;
+        result_.nearest[static_cast<std::size_t>(i)] = index;
       }
       farthest = std::max(farthest, squared_[i]);
     }

@@ -11,7 +11,7 @@ namespace {
 /// Point after inversion in the unit circle. The Delaunay neighbours of the origin are the vertices of the convex hull
 /// of the inverted points and the origin.
 struct InvertedPoint {
-  Eigen::Vector2d place;
+  Eigen::Vector2d position;
   std::int32_t index;  ///< -1: the origin
 };
 
@@ -21,10 +21,11 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 
 /// Andrew's monotone chain, counterclockwise.
 std::vector<InvertedPoint> convex_hull(std::vector<InvertedPoint> points) {
-  std::ranges::sort(points, {}, [](const InvertedPoint& p) { return std::tuple(p.place.x(), p.place.y(), p.index); });
+  std::ranges::sort(points, {},
+                    [](const InvertedPoint& p) { return std::tuple(p.position.x(), p.position.y(), p.index); });
   std::vector<InvertedPoint> hull;
   const auto extend = [&hull](const InvertedPoint& p, std::size_t keep) {
-    while (hull.size() >= keep + 2 && turn(hull[hull.size() - 2].place, hull.back().place, p.place) <= 0) {
+    while (hull.size() >= keep + 2 && turn(hull[hull.size() - 2].position, hull.back().position, p.position) <= 0) {
       hull.pop_back();
     }
     hull.push_back(p);
@@ -50,7 +51,8 @@ std::vector<std::array<std::int32_t, 2>> delaunay_star(std::span<const Eigen::Ve
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const InvertedPoint& a = hull[k];
     const InvertedPoint& b = hull[(k + 1) % hull.size()];
-    if (a.index >= 0 && b.index >= 0 && turn({0, 0}, a.place, b.place) > 0) triangles.push_back({a.index, b.index});
+    if (a.index >= 0 && b.index >= 0 && turn({0, 0}, a.position, b.position) > 0)
+      triangles.push_back({a.index, b.index});
   }
   return triangles;
 }

@@ -47,11 +47,11 @@ ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& fart
     if (!samples.triangles.empty()) proxy.at.triangles.push_back(samples.triangles[static_cast<std::size_t>(sample)]);
   }
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
-    const std::int32_t place = farthest.nearest[static_cast<std::size_t>(i)];
-    const Eigen::RowVector3d own = samples.normals.row(farthest.chosen[static_cast<std::size_t>(place)]);
-    const double sign = own.dot(samples.normals.row(i)) < 0 ? -1 : 1;
-    proxy.at.areas[place] += samples.areas[i];
-    proxy.at.normals.row(place) += sign * samples.areas[i] * samples.normals.row(i);
+    const std::int32_t point = farthest.nearest[static_cast<std::size_t>(i)];
+    const Eigen::RowVector3d normal = samples.normals.row(farthest.chosen[static_cast<std::size_t>(point)]);
+    const double sign = normal.dot(samples.normals.row(i)) < 0 ? -1 : 1;
+    proxy.at.areas[point] += samples.areas[i];
+    proxy.at.normals.row(point) += sign * samples.areas[i] * samples.normals.row(i);
   }
   for (Eigen::Index i = 0; i < count; ++i) proxy.at.normals.row(i).normalize();
   return proxy;

@@ -141,8 +141,8 @@ class RayGrid {
   void rasterise(const Corners& corners, std::int32_t triangle) {
     const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-    const auto inside = [](double place, int end) {
-      return static_cast<int>(std::clamp(place, -1.0, static_cast<double>(end)));
+    const auto inside = [](double coordinate, int end) {
+      return static_cast<int>(std::clamp(coordinate, -1.0, static_cast<double>(end)));
     };
     const int first_row = std::max(inside(std::ceil(low.y()), first_row_ + rows_), first_row_);
     const int last_row = inside(std::floor(high.y()), first_row_ + rows_ - 1);
@@ -215,11 +215,11 @@ class Scene {
   /// Interpolates the corners' normals; those beyond a sharp edge are replaced by the triangle's own.
   [[nodiscard]] Eigen::Vector3d normal(std::int32_t triangle, const Eigen::Vector3d& parts) const {
     static const double smooth = std::cos(smooth_edge_degrees / 180 * std::numbers::pi);
-    const Eigen::Vector3d own = normals_.faces.row(triangle);
+    const Eigen::Vector3d flat = normals_.faces.row(triangle);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d corner = normals_.vertices.row(shape_.triangles(triangle, k));
-      sum += parts[k] * (corner.dot(own) > smooth ? corner : own);
+      sum += parts[k] * (corner.dot(flat) > smooth ? corner : flat);
     }
     return sum.normalized();
   }

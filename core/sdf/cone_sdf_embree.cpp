@@ -147,7 +147,7 @@ struct RayCasters {
   std::optional<RayCaster> quick;  ///< nothing where it would not pay
 };
 
-/// The cones of a shape, one at a time: it keeps room for the rays of one, so that every thread needs its own.
+/// Casts the cones of a shape, one at a time. Has scratch buffers for the rays of a cone: use one object per thread.
 class Cones {
  public:
   Cones(const RayCasters& casters, std::span<const Eigen::Vector3d> directions)

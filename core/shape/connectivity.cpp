@@ -54,10 +54,11 @@ std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& uses, std::size_t vert
   const SparseInterruptionCheck check;
   for (std::size_t v = 0; v < vertices; ++v) {
     check();
-    const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const HalfEdge& a, const HalfEdge& b) {
-      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
-    });
+    const auto iterator_at = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(iterator_at(counted.first[v]), iterator_at(counted.first[v + 1]),
+              [](const HalfEdge& a, const HalfEdge& b) {
+                return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+              });
   }
   return std::move(counted.values);
 }
@@ -75,14 +76,15 @@ bool has_even_number(std::span<const HalfEdge> edge) { return edge.size() % 2 ==
 }  // namespace
 
 std::vector<std::int32_t> welded_vertices(const Points& vertices) {
-  const auto place = [&](std::size_t v) { return vertices.row(static_cast<Eigen::Index>(v)); };
+  const auto position = [&](std::size_t v) { return vertices.row(static_cast<Eigen::Index>(v)); };
   const auto hash = [&](std::size_t v) {
     std::array<std::uint64_t, 3> bits{};
-    for (int k = 0; k < 3; ++k) bits[k] = std::bit_cast<std::uint64_t>(place(v)[k] + 0.0);  // the same for both zeros
+    for (int k = 0; k < 3; ++k)
+      bits[k] = std::bit_cast<std::uint64_t>(position(v)[k] + 0.0);  // the same for both zeros
     return hash_of(bits);
   };
   return first_of_equal(static_cast<std::size_t>(vertices.rows()), hash,
-                        [&](std::size_t a, std::size_t b) { return place(a) == place(b); });
+                        [&](std::size_t a, std::size_t b) { return position(a) == position(b); });
 }
 
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged) {

@@ -49,22 +49,22 @@ DistinctTriangles distinct_triangles(Shape shape) {
   if (is_cloud(mesh)) return result;
   const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   const std::vector<std::int32_t> first = first_duplicates(mesh.triangles, merged);
-  std::vector<std::int32_t> kept = first;
+  std::vector<std::int32_t> retained = first;
   std::size_t count = 0;
   result.triangle_of = first;
   for (std::size_t f = 0; f < first.size(); ++f) {
-    const auto own = static_cast<std::size_t>(first[f]);  // before f, or f
-    if (own == f) {
+    const auto first_copy = static_cast<std::size_t>(first[f]);  // before f, or f
+    if (first_copy == f) {
       result.triangle_of[f] = static_cast<std::int32_t>(count);
-      kept[count++] = first[f];
+      retained[count++] = first[f];
     } else {
-      result.triangle_of[f] = result.triangle_of[own];
+      result.triangle_of[f] = result.triangle_of[first_copy];
     }
   }
   if (count == first.size()) return result;
-  kept.resize(count);
+  retained.resize(count);
   result.vertex_of = vertices_of_first(mesh, merged, first);
-  mesh.triangles = mesh.triangles(kept, Eigen::all).eval();
+  mesh.triangles = mesh.triangles(retained, Eigen::all).eval();
   mesh.polygons = {};
   return result;
 }

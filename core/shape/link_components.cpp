@@ -13,16 +13,16 @@ namespace shapegauge {
 
 namespace {
 
-/// Returns the segments from each point to those nearest neighbours with `wanted(a, b)`.
-template <typename Wanted>
-std::vector<Segment> wanted_segments(const Points& points, Eigen::Index neighbours, Wanted wanted) {
+/// Returns the segments from each point to those nearest neighbours for which `condition(a, b)` holds.
+template <typename Condition>
+std::vector<Segment> segments_where(const Points& points, Eigen::Index neighbours, Condition condition) {
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   std::vector<Segment> segments;
   for (Eigen::Index i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
       const auto a = static_cast<std::int32_t>(i);
       const std::int32_t b = nearest.indices(i, k);
-      if (wanted(a, b)) segments.push_back({a, b, nearest.distances(i, k)});
+      if (condition(a, b)) segments.push_back({a, b, nearest.distances(i, k)});
     }
   }
   return segments;
@@ -56,7 +56,7 @@ std::vector<std::int32_t> probes_of(DisjointSets& components) {
 void join_components(const Points& points, DisjointSets& components, std::vector<Segment>& segments) {
   for (;;) {
     const std::vector<std::int32_t> probes = probes_of(components);
-    std::vector<Segment> between = wanted_segments(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
+    std::vector<Segment> between = segments_where(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
       return components.find(probes[static_cast<std::size_t>(a)]) !=
              components.find(probes[static_cast<std::size_t>(b)]);
     });
@@ -80,7 +80,7 @@ void join_components(const Points& points, DisjointSets& components, std::vector
 }  // namespace
 
 std::vector<Segment> nearest_segments(const Points& points, Eigen::Index neighbours) {
-  return wanted_segments(points, neighbours, [](std::int32_t, std::int32_t) { return true; });
+  return segments_where(points, neighbours, [](std::int32_t, std::int32_t) { return true; });
 }
 
 std::int32_t link_components(const Points& points, Eigen::Index neighbours, std::vector<Segment>& segments) {
@@ -88,7 +88,7 @@ std::int32_t link_components(const Points& points, Eigen::Index neighbours, std:
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < points.rows(); ++i) count += components.find(i) == i ? 1 : 0;
   if (count < 2) return count;
-  const std::vector<Segment> across_gaps = wanted_segments(
+  const std::vector<Segment> across_gaps = segments_where(
       points, neighbours, [&](std::int32_t a, std::int32_t b) { return components.find(a) != components.find(b); });
   for (const Segment& segment : across_gaps) components.join(segment.a, segment.b);
   segments.insert(segments.end(), across_gaps.begin(), across_gaps.end());

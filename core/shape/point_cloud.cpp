@@ -92,13 +92,13 @@ constexpr Eigen::Index max_neighbours = 12;
 constexpr double largest_ratio = 4;
 
 /// Distinct positions of points, in an order that depends on the positions only.
-struct DistinctPlaces {
+struct DistinctPoints {
   Points points;
-  std::vector<Eigen::Index> place_of;   ///< by original point
-  std::vector<Eigen::Index> points_at;  ///< number of original points at each place
+  std::vector<Eigen::Index> index_of;  ///< per original point: index in `points`
+  std::vector<Eigen::Index> counts;    ///< number of original points at each distinct position
 };
 
-DistinctPlaces places_of(const Points& points) {
+DistinctPoints distinct_points(const Points& points) {
   const SparseInterruptionCheck check;
   const auto coordinates = [&](Eigen::Index i) {
     check();
@@ -107,16 +107,16 @@ DistinctPlaces places_of(const Points& points) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points.rows()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::ranges::sort(order, {}, coordinates);
-  DistinctPlaces places{Points(points.rows(), 3), std::vector<Eigen::Index>(order.size()),
-                        std::vector<Eigen::Index>(order.size())};
+  DistinctPoints distinct{Points(points.rows(), 3), std::vector<Eigen::Index>(order.size()),
+                          std::vector<Eigen::Index>(order.size())};
   Eigen::Index count = 0;
   for (const Eigen::Index i : order) {
-    if (count == 0 || places.points.row(count - 1) != points.row(i)) places.points.row(count++) = points.row(i);
-    places.place_of[static_cast<std::size_t>(i)] = count - 1;
-    ++places.points_at[static_cast<std::size_t>(count - 1)];
+    if (count == 0 || distinct.points.row(count - 1) != points.row(i)) distinct.points.row(count++) = points.row(i);
+    distinct.index_of[static_cast<std::size_t>(i)] = count - 1;
+    ++distinct.counts[static_cast<std::size_t>(count - 1)];
   }
-  places.points.conservativeResize(count, 3);
-  return places;
+  distinct.points.conservativeResize(count, 3);
+  return distinct;
 }
 
 void require_finite(const Points& points, double diagonal) {
@@ -223,8 +223,8 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   const std::vector<std::int32_t> order = query_order(points);
   interruptible_parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
     Query query(static_cast<std::size_t>(k + 1));
-    for (std::size_t place = block.begin(); place != block.end(); ++place) {
-      find(built, points, order[place], query, result);
+    for (std::size_t index = block.begin(); index != block.end(); ++index) {
+      find(built, points, order[index], query, result);
     }
   });
   return result;
@@ -239,8 +239,8 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
   const PointTree built(among);
   const std::vector<std::int32_t> order = query_order(points);
   interruptible_parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
-    for (std::size_t place = block.begin(); place != block.end(); ++place) {
-      const std::int32_t i = order[place];
+    for (std::size_t index = block.begin(); index != block.end(); ++index) {
+      const std::int32_t i = order[index];
       built.tree.knnSearch(points.row(i).data(), static_cast<std::size_t>(k), result.indices.row(i).data(),
                            result.distances.row(i).data());
     }
@@ -284,18 +284,18 @@ Eigen::VectorXd point_weights(const Points& points) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(points.rows());
   const UnitFrame frame = unit_frame({points, {}, {}});
   require_finite(points, frame.diagonal);
-  DistinctPlaces places = places_of(points);
-  if (places.points.rows() < 2) return weights;
+  DistinctPoints distinct = distinct_points(points);
+  if (distinct.points.rows() < 2) return weights;
   // With coordinates near 1, squares neither underflow nor overflow.
-  for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
-    places.points.row(i) = frame.to_unit(places.points.row(i).transpose()).transpose();
+  for (Eigen::Index i = 0; i < distinct.points.rows(); ++i) {
+    distinct.points.row(i) = frame.to_unit(distinct.points.row(i).transpose()).transpose();
   }
-  const PointNeighbours nearest = nearest_neighbours(places.points, max_neighbours);
-  const Eigen::VectorXd of_places = capped(disc_areas(nearest), nearest);
+  const PointNeighbours nearest = nearest_neighbours(distinct.points, max_neighbours);
+  const Eigen::VectorXd areas = capped(disc_areas(nearest), nearest);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Eigen::Index place = places.place_of[static_cast<std::size_t>(i)];
-    const auto sharing = static_cast<double>(places.points_at[static_cast<std::size_t>(place)]);
-    weights[i] = of_places[place] / sharing * frame.diagonal * frame.diagonal;
+    const Eigen::Index index = distinct.index_of[static_cast<std::size_t>(i)];
+    const auto sharing = static_cast<double>(distinct.counts[static_cast<std::size_t>(index)]);
+    weights[i] = areas[index] / sharing * frame.diagonal * frame.diagonal;
   }
   return weights;
 }

@@ -132,9 +132,9 @@ Samples sample_faces(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::faces, shape.triangles.rows());
   const std::vector<std::int32_t> first = first_duplicates(shape.triangles, welded_vertices(shape.vertices));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    if (const std::int32_t own = first[static_cast<std::size_t>(f)]; own != f) {
-      samples.points.row(f) = samples.points.row(own);
-      samples.normals.row(f) = samples.normals.row(own);
+    if (const std::int32_t first_copy = first[static_cast<std::size_t>(f)]; first_copy != f) {
+      samples.points.row(f) = samples.points.row(first_copy);
+      samples.normals.row(f) = samples.normals.row(first_copy);
       continue;
     }
     const Corners corners = corners_of(shape, f);
@@ -159,18 +159,18 @@ Samples sample_cloud(const Shape& shape) {
 void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_angles, Points& sums) {
   constexpr double cancelled = 0.5;  // remaining fraction of the sum's length
   constexpr double agreed = 0.8;     // fraction of the squared normals along one axis
-  std::vector<std::int32_t> place(static_cast<std::size_t>(shape.vertices.rows()), -1);
+  std::vector<std::int32_t> square_of(static_cast<std::size_t>(shape.vertices.rows()), -1);
   std::vector<Eigen::Matrix3d> squares;
   for (Eigen::Index v = 0; v < sums.rows(); ++v) {
     const double length = sums.row(v).norm();
     if (length >= cancelled * total_angles[v] || length <= 1e-12 * total_angles[v]) continue;
-    place[static_cast<std::size_t>(v)] = static_cast<std::int32_t>(squares.size());
+    square_of[static_cast<std::size_t>(v)] = static_cast<std::int32_t>(squares.size());
     squares.emplace_back(Eigen::Matrix3d::Zero());
   }
   if (squares.empty()) return;
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const std::int32_t at = place[static_cast<std::size_t>(shape.triangles(f, k))];
+      const std::int32_t at = square_of[static_cast<std::size_t>(shape.triangles(f, k))];
       if (at < 0) continue;
       const TriangleForm form = form_of(corners_of(shape, f));
       if (form.degenerate) continue;
@@ -178,16 +178,16 @@ void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_a
     }
   }
   for (Eigen::Index v = 0; v < sums.rows(); ++v) {
-    if (place[static_cast<std::size_t>(v)] < 0) continue;
-    const auto solver = eigen_decomposition(squares[static_cast<std::size_t>(place[static_cast<std::size_t>(v)])]);
+    if (square_of[static_cast<std::size_t>(v)] < 0) continue;
+    const auto solver = eigen_decomposition(squares[static_cast<std::size_t>(square_of[static_cast<std::size_t>(v)])]);
     if (solver.eigenvalues()[2] < agreed * solver.eigenvalues().sum()) continue;
     const Eigen::RowVector3d direction = solver.eigenvectors().col(2).transpose();
     sums.row(v) = total_angles[v] * (direction.dot(sums.row(v)) < 0 ? -direction : direction);
   }
 }
 
-Samples sample_vertices(const Shape& given) {
-  const DistinctTriangles distinct = distinct_triangles(given);
+Samples sample_vertices(const Shape& original) {
+  const DistinctTriangles distinct = distinct_triangles(original);
   const Shape& shape = distinct.shape;
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;

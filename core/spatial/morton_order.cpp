@@ -30,8 +30,8 @@ std::vector<std::uint64_t> morton_codes(const Points& points) {
   if (!(size > 0)) return codes;
   constexpr double cells = (1U << bits_per_axis) - 1;
   for (std::size_t i = 0; i < codes.size(); ++i) {
-    const Eigen::RowVector3d place = (points.row(static_cast<Eigen::Index>(i)) - low) / size * cells;
-    for (int k = 0; k < 3; ++k) codes[i] |= spread(static_cast<std::uint64_t>(place[k])) << k;
+    const Eigen::RowVector3d cell = (points.row(static_cast<Eigen::Index>(i)) - low) / size * cells;
+    for (int k = 0; k < 3; ++k) codes[i] |= spread(static_cast<std::uint64_t>(cell[k])) << k;
   }
   return codes;
 }

@@ -32,7 +32,7 @@ struct Cone {
   Eigen::Vector3d apex;  ///< common origin of the directions, in the shape's coordinates
   Eigen::Vector3d axis;  ///< unit vector along the middle of the cone
   double cosine;         ///< cosine of the angle between the axis and the boundary of the cone, at most 90 degrees
-  /// Cosine of the largest allowed angle between the axis and a triangle's normal, taken with either sign; -1: any
+  /// Cosine of the largest allowed angle between the axis and a triangle's normal, with either sign; -1: any
   /// triangles.
   double min_normal_cosine = -1;
   bool faces_away = false;  ///< true if min_normal_cosine limits only the normal that points away from the apex

@@ -182,9 +182,9 @@ class Builder {
   [[nodiscard]] double normal_deviation(Part part, const Eigen::Vector3d& normal) const {
     double square = 0;
     for (const std::int32_t i : part) {
-      const Eigen::Vector3d own = crosses_[static_cast<std::size_t>(i)].stableNormalized();
-      if (own.isZero(0)) continue;
-      square = std::max(square, std::min((own - normal).squaredNorm(), (own + normal).squaredNorm()));
+      const Eigen::Vector3d unit_normal = crosses_[static_cast<std::size_t>(i)].stableNormalized();
+      if (unit_normal.isZero(0)) continue;
+      square = std::max(square, std::min((unit_normal - normal).squaredNorm(), (unit_normal + normal).squaredNorm()));
     }
     return std::sqrt(square);
   }

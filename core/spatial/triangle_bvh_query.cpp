@@ -118,8 +118,8 @@ HWY_INLINE std::uint32_t squared_distances(const TriangleBvhNode& node, const Ei
     }
     const auto off_axis = hn::Sqrt(hn::Max(hn::NegMulAdd(height, height, from_centre2), hn::Zero(d)));
     const auto above = hn::Max(hn::Sub(hn::Abs(height), hn::Load(d, node.half_height.data() + lane)), hn::Zero(d));
-    const auto beside = hn::Max(hn::Sub(off_axis, hn::Load(d, node.radius.data() + lane)), hn::Zero(d));
-    sum = hn::Max(sum, hn::MulAdd(above, above, hn::Mul(beside, beside)));
+    const auto radial = hn::Max(hn::Sub(off_axis, hn::Load(d, node.radius.data() + lane)), hn::Zero(d));
+    sum = hn::Max(sum, hn::MulAdd(above, above, hn::Mul(radial, radial)));
     hn::Store(sum, d, result.data() + lane);
     std::array<std::uint8_t, 8> bits{};
     hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
@@ -135,11 +135,11 @@ HWY_INLINE int push_children(const TriangleBvhNode& node, const Eigen::Vector3f&
   const int bottom = top;
   for (std::uint32_t left = squared_distances(node, x, squared_limit, distances); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    int place = top++;
-    for (; place > bottom && stack[static_cast<std::size_t>(place - 1)].squared_distance < distances[i]; --place) {
-      stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
+    int slot = top++;
+    for (; slot > bottom && stack[static_cast<std::size_t>(slot - 1)].squared_distance < distances[i]; --slot) {
+      stack[static_cast<std::size_t>(slot)] = stack[static_cast<std::size_t>(slot - 1)];
     }
-    stack[static_cast<std::size_t>(place)] = {distances[i], node.child[i]};
+    stack[static_cast<std::size_t>(slot)] = {distances[i], node.child[i]};
   }
   return top;
 }
@@ -189,11 +189,11 @@ void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
     const float apex = query.apex[static_cast<Eigen::Index>(k)];
     const float axis = query.axis[static_cast<Eigen::Index>(k)];
     for (std::size_t i = 0; i < children_per_node; ++i) {
-      const float beside_ball = std::max(std::max(node.low[k][i] - centre, centre - node.high[k][i]), 0.0F);
-      const float beside_apex = std::max(std::max(node.low[k][i] - apex, apex - node.high[k][i]), 0.0F);
+      const float ball_gap = std::max(std::max(node.low[k][i] - centre, centre - node.high[k][i]), 0.0F);
+      const float apex_gap = std::max(std::max(node.low[k][i] - apex, apex - node.high[k][i]), 0.0F);
       const float from_apex = node.centre[k][i] - apex;
-      to_ball2[i] += beside_ball * beside_ball;
-      to_apex2[i] += beside_apex * beside_apex;
+      to_ball2[i] += ball_gap * ball_gap;
+      to_apex2[i] += apex_gap * apex_gap;
       height[i] += (node.centre[k][i] - centre) * node.normal[k][i];
       along[i] += from_apex * axis;
       normal_cosine[i] += node.normal[k][i] * axis;

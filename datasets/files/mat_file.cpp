@@ -112,21 +112,21 @@ Variables variables_of(mat_t* file) {
 }
 
 // Returns the name of the matrix to read.
-std::string chosen_matrix(const Variables& variables, const std::string& wanted, const std::string& source) {
+std::string chosen_matrix(const Variables& variables, const std::string& requested, const std::string& source) {
   const auto listed = [](const std::vector<std::string>& words) {
     return printable(fmt::format("{}", fmt::join(words, ", ")), 200);
   };
-  const bool found = std::ranges::find(variables.matrices, wanted) != variables.matrices.end();
-  if (found) return wanted;
-  if (wanted.empty() && variables.matrices.size() == 1) return variables.matrices.front();
+  const bool found = std::ranges::find(variables.matrices, requested) != variables.matrices.end();
+  if (found) return requested;
+  if (requested.empty() && variables.matrices.size() == 1) return variables.matrices.front();
   if (variables.matrices.empty()) {
     throw InputError(fmt::format("{}: no matrix of real numbers{}{}", source,
                                  variables.others.empty() ? "" : "; other variables: ", listed(variables.others)));
   }
   throw InputError(
-      wanted.empty()
+      requested.empty()
           ? fmt::format("{}: several matrices: {}; choose one with `variable`", source, listed(variables.matrices))
-          : fmt::format("{}: no matrix {}; there are {}", source, quoted_word(wanted), listed(variables.matrices)));
+          : fmt::format("{}: no matrix {}; there are {}", source, quoted_word(requested), listed(variables.matrices)));
 }
 
 }  // namespace

@@ -197,9 +197,9 @@ NumberFormat number_format_of(const NpyHeader& header, const std::string& source
       fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
 }
 
-void check_shape(const NpyHeader& header, TableShape wanted, const std::string& source) {
+void check_shape(const NpyHeader& header, TableShape expected, const std::string& source) {
   const std::vector<std::uint64_t>& shape = header.shape;
-  if (wanted == TableShape::square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
+  if (expected == TableShape::square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
     throw InputError(fmt::format("{}: expected a square distance matrix, found an array of shape {}", source,
                                  shape_as_text(header)));
   }

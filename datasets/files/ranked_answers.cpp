@@ -68,18 +68,18 @@ bool begins_like_a_run(std::string_view text) {
 class Queries {
  public:
   // Returns the index of the query; the next free one for a new query.
-  std::size_t place_of(std::string_view query) {
-    return places_.emplace(std::string(query), places_.size()).first->second;
+  std::size_t index_of(std::string_view query) {
+    return indices_.emplace(std::string(query), indices_.size()).first->second;
   }
 
-  void add_model(std::size_t place, std::string_view model, const std::string& where) {
-    if (place >= models_.size()) models_.resize(place + 1);
-    if (models_[place].emplace(model).second) return;
+  void add_model(std::size_t index, std::string_view model, const std::string& where) {
+    if (index >= models_.size()) models_.resize(index + 1);
+    if (models_[index].emplace(model).second) return;
     throw InputError(fmt::format("{}: repeated model {} for this query", where, quoted_word(model)));
   }
 
  private:
-  std::unordered_map<std::string, std::size_t> places_;
+  std::unordered_map<std::string, std::size_t> indices_;
   std::vector<std::unordered_set<std::string>> models_;
 };
 
@@ -130,12 +130,12 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
     if (!score || !std::isfinite(*score)) {
       throw InputError(fmt::format("{}: the score {} is not a finite number", line.where, quoted_word(line.words[4])));
     }
-    const std::size_t place = queries.place_of(line.words[0]);
-    queries.add_model(place, line.words[2], line.where);
-    if (place == result.answers.size()) result.answers.push_back({std::string(line.words[0]), {}});
-    result.answers[place].models.emplace_back(line.words[2], -*score);
+    const std::size_t index = queries.index_of(line.words[0]);
+    queries.add_model(index, line.words[2], line.where);
+    if (index == result.answers.size()) result.answers.push_back({std::string(line.words[0]), {}});
+    result.answers[index].models.emplace_back(line.words[2], -*score);
     ranks.resize(result.answers.size());
-    ranks[place].push_back(parse_number(line.words[3]).value_or(0));
+    ranks[index].push_back(parse_number(line.words[3]).value_or(0));
     tags.emplace(line.words[5]);
   }
   if (tags.size() == 1) result.name = *tags.begin();
@@ -150,14 +150,14 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
   Queries queries;
   for (const WordLine& line : word_lines(text, source, " \t,")) {
     if (line.words.size() < 2) throw InputError(fmt::format("{}: the query has no models", line.where));
-    const std::size_t place = queries.place_of(line.words[0]);
-    if (place < result.answers.size()) {
+    const std::size_t index = queries.index_of(line.words[0]);
+    if (index < result.answers.size()) {
       throw InputError(fmt::format("{}: repeated query {}", line.where, quoted_word(line.words[0])));
     }
     result.answers.push_back({std::string(line.words[0]), {}});
     for (std::size_t rank = 1; rank < line.words.size(); ++rank) {
-      queries.add_model(place, line.words[rank], line.where);
-      result.answers[place].models.emplace_back(line.words[rank], static_cast<double>(rank));
+      queries.add_model(index, line.words[rank], line.where);
+      result.answers[index].models.emplace_back(line.words[rank], static_cast<double>(rank));
     }
   }
   return result;
@@ -184,10 +184,10 @@ Judgements parse_qrels(std::string_view text, const std::string& source) {
     if (error != std::errc() || stop != digits.data() + digits.size()) {
       throw InputError(fmt::format("{}: the grade {} is not an integer", line.where, quoted_word(digits)));
     }
-    const std::size_t place = queries.place_of(line.words[0]);
-    queries.add_model(place, line.words[2], line.where);
-    if (place == result.queries.size()) result.queries.push_back({std::string(line.words[0]), {}, {}, {}});
-    Judgements::Judged& judged = result.queries[place];
+    const std::size_t index = queries.index_of(line.words[0]);
+    queries.add_model(index, line.words[2], line.where);
+    if (index == result.queries.size()) result.queries.push_back({std::string(line.words[0]), {}, {}, {}});
+    Judgements::Judged& judged = result.queries[index];
     if (grade > 0) {
       judged.relevant.emplace_back(line.words[2]);
       judged.grades.push_back(grade);

@@ -32,7 +32,7 @@ namespace {
 constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low = 1000, .high = 100'000},
                                                                   "Approximate number of triangles per model.");
 constexpr auto seed_option =
-    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Seed of random numbers; another gives other shapes.");
+    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed; another seed gives other shapes.");
 
 constexpr int max_models = 1000;
 
@@ -173,10 +173,11 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
 
 const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table() {
   static const std::array table{
-      option_of<&GeneratorOptions::classes>(
-          "classes", {.low = 1, .high = static_cast<double>(generated_classes().size())}, "Number of classes."),
+      option_of<&GeneratorOptions::classes>("classes",
+                                            {.low = 1, .high = static_cast<double>(generated_classes().size())},
+                                            "Number of classes to generate."),
       option_of<&GeneratorOptions::models_per_class>("models_per_class", {.low = 1, .high = max_models},
-                                                     "Number of models per class."),
+                                                     "Number of models to generate per class."),
       faces_option, seed_option};
   return table;
 }
@@ -192,30 +193,32 @@ std::span<const Parameter> generated_model_parameters() {
     for (const GeneratedClass& one : generated_classes()) all.emplace_back(one.name);
     return all;
   }();
-  static const std::vector<Parameter> parameters{
-      {.name = "class", .kind = ParameterKind::choice, .choices = names, .description = "Name of the class."},
-      {.name = "model",
-       .kind = ParameterKind::integer,
-       .default_value = std::int64_t{0},
-       .bounds = {.low = 0, .high = max_models - 1},
-       .description = "Index of the model in its class, from 0."},
-      faces_option.parameter,
-      seed_option.parameter};
+  static const std::vector<Parameter> parameters{{.name = "class",
+                                                  .kind = ParameterKind::choice,
+                                                  .choices = names,
+                                                  .description = "Class of the generated shape."},
+                                                 {.name = "model",
+                                                  .kind = ParameterKind::integer,
+                                                  .default_value = std::int64_t{0},
+                                                  .bounds = {.low = 0, .high = max_models - 1},
+                                                  .description = "Index of the generated model in its class, from 0."},
+                                                 faces_option.parameter,
+                                                 seed_option.parameter};
   return parameters;
 }
 
-Shape generate_model(const GeneratedModel& wanted) {
-  const auto found = std::ranges::find(generated_classes(), wanted.model_class, &GeneratedClass::name);
+Shape generate_model(const GeneratedModel& request) {
+  const auto found = std::ranges::find(generated_classes(), request.model_class, &GeneratedClass::name);
   if (found == generated_classes().end()) {
     std::vector<std::string> names;
     for (const GeneratedClass& one : generated_classes()) names.push_back(one.name);
-    throw InputError(unknown_word_message("generated class", wanted.model_class, names));
+    throw InputError(unknown_word_message("generated class", request.model_class, names));
   }
-  require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = max_models - 1});
-  require_in_bounds("the number of faces", wanted.faces, faces_option.parameter.bounds);
+  require_in_bounds("the number of the model", request.model, {.low = 0, .high = max_models - 1});
+  require_in_bounds("the number of faces", request.faces, faces_option.parameter.bounds);
   const auto class_index = static_cast<std::size_t>(found - generated_classes().begin());
-  RandomNumbers random = random_of(class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
-  return found->prepare(wanted.faces)(random).mesh;
+  RandomNumbers random = random_of(class_index, static_cast<std::size_t>(request.model), request.seed);
+  return found->prepare(request.faces)(random).mesh;
 }
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,

@@ -26,7 +26,7 @@ struct GeneratedModel {
 };
 
 /// Generates one model of a data set. Throws InputError for an unknown class and an option out of range.
-Shape generate_model(const GeneratedModel& wanted);
+Shape generate_model(const GeneratedModel& request);
 
 /// Options of generate_dataset().
 struct GeneratorOptions {

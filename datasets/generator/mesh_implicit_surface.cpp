@@ -212,20 +212,20 @@ Eigen::Vector3d way_out(const ImplicitSurface& surface, const Eigen::Vector3d& i
 
 // Distributes points over the surface, outwards from every node of every limb, which covers thin parts.
 std::vector<Point> seeds(const ImplicitSurface& surface, double coarseness) {
-  std::vector<Eigen::Vector3d> kept;
+  std::vector<Eigen::Vector3d> accepted;
   for (const Eigen::Vector3d& inside : surface.inner_points()) {
     for (int i = 0; i < 6; ++i) {
       const Eigen::Vector3d direction = (i % 2 == 0 ? 1 : -1) * Eigen::Vector3d::Unit(i / 2);
       const Eigen::Vector3d point = way_out(surface, inside, direction);
       const double spacing = squared_size(surface, coarseness, point);
       bool crowded = false;
-      for (const Eigen::Vector3d& other : kept) crowded = crowded || (other - point).squaredNorm() < spacing;
-      if (!crowded) kept.push_back(point);
+      for (const Eigen::Vector3d& other : accepted) crowded = crowded || (other - point).squaredNorm() < spacing;
+      if (!crowded) accepted.push_back(point);
     }
   }
   std::vector<Point> points;
-  points.reserve(kept.size());
-  for (const Eigen::Vector3d& point : kept) points.push_back(to_cgal(point));
+  points.reserve(accepted.size());
+  for (const Eigen::Vector3d& point : accepted) points.push_back(to_cgal(point));
   return points;
 }
 

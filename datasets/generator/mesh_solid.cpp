@@ -43,7 +43,7 @@ struct Grid {
                static_cast<std::size_t>(points.x()) +
            static_cast<std::size_t>(at.x());
   }
-  [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3i& at) const { return origin + step * at.cast<double>(); }
+  [[nodiscard]] Eigen::Vector3d position(const Eigen::Vector3i& at) const { return origin + step * at.cast<double>(); }
 };
 
 constexpr int block = 8;  ///< points per side
@@ -72,10 +72,10 @@ Grid sampled(const SolidObject& object, double step) {
   for_each_point(Eigen::Vector3i::Zero(), blocks, [&](const Eigen::Vector3i& at) {
     const Eigen::Vector3i first = block * at;
     const Eigen::Vector3i end = (first.array() + block).min(grid.points.array());
-    const double middle = object.distance(grid.place(first) + Eigen::Vector3d::Constant(step * (block - 1) / 2.0));
+    const double middle = object.distance(grid.position(first) + Eigen::Vector3d::Constant(step * (block - 1) / 2.0));
     const bool far = std::abs(middle) > reach;
     for_each_point(first, end, [&](const Eigen::Vector3i& point) {
-      grid.values[grid.index(point)] = static_cast<float>(far ? middle : object.distance(grid.place(point)));
+      grid.values[grid.index(point)] = static_cast<float>(far ? middle : object.distance(grid.position(point)));
     });
   });
   return grid;
@@ -139,8 +139,8 @@ class MarchingTetrahedra {
     const auto [position, is_new] = vertices_.try_emplace(8 * low + edge_kind(high - low));
     if (is_new) {
       const double share = std::clamp(a.value / (a.value - b.value), min_share, 1 - min_share);
-      const Eigen::Vector3d place = (1 - share) * grid_.place(a.at) + share * grid_.place(b.at);
-      position->second = mesh.add_vertex({place.x(), place.y(), place.z()});
+      const Eigen::Vector3d point = (1 - share) * grid_.position(a.at) + share * grid_.position(b.at);
+      position->second = mesh.add_vertex({point.x(), point.y(), point.z()});
     }
     return position->second;
   }
@@ -188,7 +188,7 @@ std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces) {
   constexpr double usual_excess = 1.17;  ///< of triangles over those that the lengths of edges stand for
   constexpr double points_in_wall = 2;
   constexpr double longest_in_wall = 1.1;  ///< edge, in thicknesses of the thinnest wall
-  constexpr double finer = 3;              ///< triangles of the grid for each wanted
+  constexpr double finer = 3;              ///< triangles of the grid for each requested one
   Grid coarse = sampled(object, 0.06);
   const auto near = std::ranges::count_if(coarse.values, [&](float v) { return std::abs(v) < coarse.step / 2; });
   const double area = static_cast<double>(near) * coarse.step * coarse.step;
@@ -196,15 +196,15 @@ std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces) {
   const double step = std::min(object.thinnest / points_in_wall, std::sqrt(6 * area / (finer * faces)));
   HalfedgeMesh fine = MarchingTetrahedra(sampled(object, step)).mesh;
   if (!is_sound(fine)) return std::nullopt;
-  const double wanted =
+  const double target_length =
       std::sqrt(usual_excess * CGAL::to_double(processing::area(fine)) * 4 / (std::numbers::sqrt3 * faces));
-  double length = std::min(wanted, longest_in_wall * object.thinnest);
+  double length = std::min(target_length, longest_in_wall * object.thinnest);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     HalfedgeMesh mesh = fine;
     processing::isotropic_remeshing(mesh.faces(), length, mesh, processing::parameters::number_of_iterations(rounds));
     mesh.collect_garbage();
     const double excess = static_cast<double>(mesh.number_of_faces()) / faces;
-    const bool right = excess > 1 - tolerance && (excess < 1 + tolerance || length < (1 - tolerance) * wanted);
+    const bool right = excess > 1 - tolerance && (excess < 1 + tolerance || length < (1 - tolerance) * target_length);
     if (right && is_sound(mesh)) return with_labels(shape_of_mesh(mesh), object);
     length *= right ? 0.97 : std::sqrt(excess);
   }

@@ -140,7 +140,7 @@ std::vector<RigidMotion> draw_pose(const Skeleton& skeleton, const BoneTree& tre
   std::vector<RigidMotion> motions;
   for (const Bone& bone : tree.bones) {
     const auto limb = static_cast<std::size_t>(bone.limb);
-    const double position = static_cast<double>(bone.place) / std::max(1, counts[limb] - 1);
+    const double position = static_cast<double>(bone.index_in_limb) / std::max(1, counts[limb] - 1);
     RigidMotion motion = bone.parent < 0 ? RigidMotion() : motions[static_cast<std::size_t>(bone.parent)];
     const Eigen::Vector3d joint = motion.rotation * bone.joint + motion.translation;
     for (std::size_t h = 0; h < bone.hinges.size(); ++h) {

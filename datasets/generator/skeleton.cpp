@@ -53,7 +53,7 @@ std::vector<int> add_bones(const Limb& limb, int limb_index, int parent, std::ve
       Bone bone;
       bone.parent = bones.size() == before ? parent : static_cast<int>(bones.size()) - 1;
       bone.limb = limb_index;
-      bone.place = static_cast<int>(bones.size() - before);
+      bone.index_in_limb = static_cast<int>(bones.size() - before);
       bone.joint = limb.nodes[segment].position;
       if (joint != nullptr) bone.hinges = joint->hinges;
       bones.push_back(bone);

@@ -89,9 +89,9 @@ Limb turned(const Limb& limb, double degrees, const std::string& side);
 
 /// Rigid segment of a limb, from one joint to the next.
 struct Bone {
-  int parent = -1;  ///< index in BoneTree::bones of the parent, which precedes this bone; -1 for the root
-  int limb = 0;     ///< index in Skeleton::limbs of the limb that contains the bone
-  int place = 0;    ///< index of the bone among the bones of its limb, from the limb's first node on
+  int parent = -1;        ///< index in BoneTree::bones of the parent, which precedes this bone; -1 for the root
+  int limb = 0;           ///< index in Skeleton::limbs of the limb that contains the bone
+  int index_in_limb = 0;  ///< index among the bones of the limb, counted from the limb's first node
   Eigen::Vector3d joint = Eigen::Vector3d::Zero();       ///< position of the joint at the beginning of the bone
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector from the joint to the bone's end
   std::vector<Hinge> hinges;                             ///< rotation axes of the joint; empty if it does not bend

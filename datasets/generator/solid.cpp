@@ -67,9 +67,9 @@ Solid revolved(const Outline& outline, double rounding) {
   std::ranges::copy(outline, closed.begin() + 1);
   closed.back() = {0, outline.back().y()};
   return {[=](const Eigen::Vector3d& point) {
-            const Eigen::Vector2d place = about_axis(point);
-            const double distance = distance_to_outline(closed, place);
-            return (is_within(closed, place) ? -distance : distance) - rounding;
+            const Eigen::Vector2d profile_point = about_axis(point);
+            const double distance = distance_to_outline(closed, profile_point);
+            return (is_within(closed, profile_point) ? -distance : distance) - rounding;
           },
           box_about(outline, rounding)};
 }

@@ -231,7 +231,7 @@ DatasetLayout shapenet_layout() {
 
 DatasetLayout shrec07_layout() {
   return {.name = "shrec07",
-          .description = "SHREC'07 as published, 20 models per class, by number",
+          .description = "SHREC'07, 1.off to 400.off, 20 per class",
           .find = find_shrec07_dataset,
           .has_classification = false,
           .recognises = looks_like_shrec07};
@@ -239,7 +239,7 @@ DatasetLayout shrec07_layout() {
 
 DatasetLayout named_layout() {
   return {.name = "named",
-          .description = "classes in names of files, such as cat0.off",
+          .description = "files named by class and number, such as cat0.off",
           .find = find_named_dataset,
           .has_classification = false,
           .recognises = looks_like_named};
@@ -247,7 +247,7 @@ DatasetLayout named_layout() {
 
 DatasetLayout tree_layout() {
   return {.name = "tree",
-          .description = "folders of classes in folders",
+          .description = "nested folders, one class per folder with models",
           .find = find_tree_dataset,
           .has_classification = false,
           .recognises = looks_like_tree};

@@ -82,12 +82,12 @@ std::string skipped_text(const SkippedEntries& skipped) {
   return parts.empty() ? "" : fmt::format("skipped: {}", fmt::join(parts, ", "));
 }
 
-std::vector<fs::path> visible_entries(const fs::path& folder, const std::function<bool(const fs::path&)>& wanted) {
+std::vector<fs::path> visible_entries(const fs::path& folder, const std::function<bool(const fs::path&)>& condition) {
   std::vector<fs::path> found;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
        entry.increment(failure)) {
-    if (!is_hidden(entry->path()) && wanted(entry->path())) found.push_back(entry->path());
+    if (!is_hidden(entry->path()) && condition(entry->path())) found.push_back(entry->path());
   }
   if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
   std::ranges::sort(found, natural_less, [](const fs::path& path) { return path.filename().string(); });

@@ -69,10 +69,10 @@ bool is_cyclic_link(const std::filesystem::path& path);
 /// Resolves all links of a path. Returns the path unchanged if it does not exist.
 std::filesystem::path canonical_or_same(const std::filesystem::path& path);
 
-/// Returns the entries of a folder that are not hidden and for which `wanted` is true, in natural order. Throws
+/// Returns the entries of a folder that are not hidden and for which `condition` is true, in natural order. Throws
 /// InputError if the folder cannot be read.
 std::vector<std::filesystem::path> visible_entries(const std::filesystem::path& folder,
-                                                   const std::function<bool(const std::filesystem::path&)>& wanted);
+                                                   const std::function<bool(const std::filesystem::path&)>& condition);
 
 /// Counts the entries that are not files of `models`, in the folder `root` and in its subfolders that contain models.
 SkippedEntries skipped_entries(const std::filesystem::path& root, const std::vector<Model>& models);

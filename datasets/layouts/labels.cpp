@@ -300,8 +300,8 @@ Classification at_level(const Classification& classification, std::size_t level,
   Collector collector(source);
   for (std::size_t i = 0; i < classification.classes.size(); ++i) {
     const std::vector<std::size_t> line = line_of(classification, i);
-    const ModelClass& taken = classification.classes[line[std::min(level, line.size()) - 1]];
-    for (const std::string& model : classification.classes[i].models) collector.add(model, taken.name, source);
+    const ModelClass& ancestor = classification.classes[line[std::min(level, line.size()) - 1]];
+    for (const std::string& model : classification.classes[i].models) collector.add(model, ancestor.name, source);
   }
   return collector.result();
 }

@@ -213,7 +213,7 @@ Registry<DatasetLayout>& dataset_layouts() {
            .find = find_shrec11_dataset,
            .usual_classification = "test.cla"},
           {.name = "folders",
-           .description = "a folder for each class, optionally with folders train and test",
+           .description = "a folder for each class, optionally with subfolders train and test",
            .find = find_folders_dataset,
            .has_splits = true,
            .has_classification = false},

@@ -195,8 +195,8 @@ void check_by_schema(const Json& document, const nlohmann::ordered_json& schema,
   if (worst == walk.findings().end()) {
     throw InputError(fmt::format("{}: does not match the schema of an experiment", source));
   }
-  const std::string place = worst->path.empty() ? "" : fmt::format("{}: ", fmt::join(worst->path, "."));
-  throw InputError(fmt::format("{}: {}{}", source, printable(place, 200), printable(worst->message, 500)));
+  const std::string location = worst->path.empty() ? "" : fmt::format("{}: ", fmt::join(worst->path, "."));
+  throw InputError(fmt::format("{}: {}{}", source, printable(location, 200), printable(worst->message, 500)));
 }
 
 void check_against_schema(const Json& part, const std::string& definition, const std::string& source) {

@@ -35,9 +35,9 @@ ChosenOffset chosen_automatically(const AutomaticOffset& automatic) {
   return {.offset = automatic.offset, .gap = automatic.widest_gap, .automatic = automatic};
 }
 
-ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
-  if (!given) return chosen_automatically(automatic_offset(shape));
-  ChosenOffset chosen{.offset = *given, .automatic = {}};
+ChosenOffset choose_offset(std::optional<double> fixed, const Shape& shape) {
+  if (!fixed) return chosen_automatically(automatic_offset(shape));
+  ChosenOffset chosen{.offset = *fixed, .automatic = {}};
   const double gap = gap_sizes(shape).widest;
   if (gap > 0) chosen.gap = gap / bounding_box_diagonal(shape);
   return chosen;

@@ -21,9 +21,9 @@ struct ChosenOffset {
 /// Makes a ChosenOffset from the result of automatic_offset().
 ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
 
-/// Returns the fixed offset `given`, or automatic_offset() if `given` is absent, with the widest gap of the shape.
+/// Returns the offset `fixed`, or automatic_offset() if `fixed` is absent, with the widest gap of the shape.
 /// Throws InputError for a shape without extent.
-ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
+ChosenOffset choose_offset(std::optional<double> fixed, const Shape& shape);
 
 /// Returns the offset in the settings of a field, a fraction of the diagonal; nothing for a field without offset, or
 /// one that chooses it for each shape ("auto").

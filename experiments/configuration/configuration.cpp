@@ -43,7 +43,7 @@ Json dataset_to_json(const Configuration& configuration) {
 
 Json report_to_json(const Configuration& configuration) {
   const ReportConfiguration& report = configuration.report;
-  if (!report.wanted) return false;
+  if (!report.enabled) return false;
   if (!report.pictures) return {{"pictures", false}};
   const Interval& range = report.picture_options.range;
   return {{"pictures",
@@ -68,14 +68,14 @@ std::span<const Parameter> experiment_parameters() {
                 .kind = ParameterKind::integer,
                 .default_value = std::int64_t{1},
                 .bounds = seed_bounds,
-                .description = "Seed of the perturbations. Random numbers depend on the seed and on the model's id (in "
-                               "comparisons, the shape's name)."},
+                .description = "Seed of the perturbations' random numbers, which also depend on the model's id (in "
+                               "comparisons: the shape's name)."},
       Parameter{.name = "on_error",
                 .kind = ParameterKind::choice,
                 .default_value = word_of(OnError::stop),
                 .choices = words_of<OnError>,
-                .description = "Action for an unusable model or shape: stop the run, or skip it and list it at the "
-                               "end. A model that is unusable for some methods only is kept for the others."}};
+                .description = "Action for an unusable model or shape: stop the run, or skip it (only for the methods "
+                               "that cannot use it) and list it at the end."}};
   return parameters;
 }
 

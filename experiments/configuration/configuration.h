@@ -66,7 +66,7 @@ struct PictureOptions {
 
 /// Options of the HTML report of a run.
 struct ReportConfiguration {
-  bool wanted = true;    ///< true to write a report
+  bool enabled = true;   ///< true to write a report
   bool pictures = true;  ///< true to show pictures of the models, coloured by a field; false if no signature has one
   std::size_t pictured_signature = 0;  ///< index in Configuration::signatures; its pictured_field() colours models
   PictureOptions picture_options;      ///< colour range and size of the pictures

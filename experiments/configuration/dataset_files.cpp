@@ -35,16 +35,16 @@ nlohmann::json dataset_in_file(const fs::path& path) {
 std::vector<fs::path> read_dataset_files(nlohmann::json& document, const std::string& source, const fs::path& folder,
                                          const std::vector<std::string>& datasets) {
   std::vector<fs::path> files;
-  for (const nlohmann::json::json_pointer& place : matching_pointers(document, datasets)) {
-    nlohmann::json& dataset = document.at(place);
+  for (const nlohmann::json::json_pointer& pointer : matching_pointers(document, datasets)) {
+    nlohmann::json& dataset = document.at(pointer);
     if (!dataset.is_string()) continue;
     try {
       files.push_back(folder / expand_variables(dataset.get<std::string>()));
       dataset = dataset_in_file(files.back());
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", source, dotted(place), error.what()));
+      throw InputError(fmt::format("{}: {}: {}", source, dotted(pointer), error.what()));
     }
-    if (!document.at(place.parent_pointer()).is_array()) dataset.erase("name");
+    if (!document.at(pointer.parent_pointer()).is_array()) dataset.erase("name");
   }
   return files;
 }

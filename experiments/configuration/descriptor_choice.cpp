@@ -24,7 +24,7 @@ const Json& list_in(const Json& settings, const char* key) {
 }
 
 /// Describes the number of fields that the descriptor needs.
-std::string fields_taken(const Descriptor& descriptor) {
+std::string field_count_text(const Descriptor& descriptor) {
   if (descriptor.max_fields == 0) return "none";
   return fmt::format("{} to {}", descriptor.min_fields, descriptor.max_fields);
 }
@@ -32,14 +32,14 @@ std::string fields_taken(const Descriptor& descriptor) {
 std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
   if (list.size() < descriptor.min_fields || list.size() > descriptor.max_fields) {
     throw ConfigurationError{"fields", fmt::format("the descriptor {} needs {}, not {}", descriptor.name,
-                                                   fields_taken(descriptor), list.size())};
+                                                   field_count_text(descriptor), list.size())};
   }
   std::vector<Field> fields;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string place = fmt::format("fields.{}", i);
-    fields.push_back(at_key(place, [&] { return read_field(list[i]); }));
+    const std::string path = fmt::format("fields.{}", i);
+    fields.push_back(at_key(path, [&] { return read_field(list[i]); }));
     if (fields.back().settings.samples != fields.front().settings.samples) {
-      throw ConfigurationError{place + ".at", R"(the fields of a descriptor must have the same "at")"};
+      throw ConfigurationError{path + ".at", R"(the fields of a descriptor must have the same "at")"};
     }
   }
   return fields;

@@ -11,7 +11,7 @@ namespace shapegauge {
 namespace {
 
 using Json = nlohmann::json;
-using Place = Json::json_pointer;
+using Pointer = Json::json_pointer;
 
 /// Removes and returns the first key of a pattern.
 std::string take_key(std::string_view& pattern) {
@@ -22,32 +22,32 @@ std::string take_key(std::string_view& pattern) {
 }
 
 /// Returns the positions of the children of a value that a key of a pattern matches.
-std::vector<Place> matching_children(const Json& value, const Place& place, const std::string& key) {
-  std::vector<Place> children;
+std::vector<Pointer> matching_children(const Json& value, const Pointer& pointer, const std::string& key) {
+  std::vector<Pointer> children;
   if (key == "*") {
-    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) children.push_back(place / i);
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) children.push_back(pointer / i);
   } else if (value.is_object() && value.contains(key)) {
-    children.push_back(place / key);
+    children.push_back(pointer / key);
   }
   return children;
 }
 
 }  // namespace
 
-std::vector<Place> matching_pointers(const Json& document, const std::vector<std::string>& patterns) {
-  std::vector<Place> all;
+std::vector<Pointer> matching_pointers(const Json& document, const std::vector<std::string>& patterns) {
+  std::vector<Pointer> all;
   for (const std::string& pattern : patterns) {
-    std::vector<Place> places{Place()};
+    std::vector<Pointer> pointers{Pointer()};
     std::string_view keys = pattern;
     while (!keys.empty()) {
       const std::string key = take_key(keys);
-      std::vector<Place> deeper;
-      for (const Place& place : places) {
-        for (Place& child : matching_children(document.at(place), place, key)) deeper.push_back(std::move(child));
+      std::vector<Pointer> deeper;
+      for (const Pointer& pointer : pointers) {
+        for (Pointer& child : matching_children(document.at(pointer), pointer, key)) deeper.push_back(std::move(child));
       }
-      places = std::move(deeper);
+      pointers = std::move(deeper);
     }
-    all.insert(all.end(), places.begin(), places.end());
+    all.insert(all.end(), pointers.begin(), pointers.end());
   }
   return all;
 }

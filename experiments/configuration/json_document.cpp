@@ -132,7 +132,7 @@ OverrideStep take_step(std::string_view& keys, const std::string& source) {
 }
 
 /// Returns the position of the first `=` outside brackets.
-std::size_t place_of_equals(std::string_view assignment) {
+std::size_t position_of_equals(std::string_view assignment) {
   bool in_brackets = false;
   for (std::size_t i = 0; i < assignment.size(); ++i) {
     if (assignment[i] == '[') in_brackets = true;
@@ -168,8 +168,8 @@ bool is_utf8(std::string_view text) {
 
 }  // namespace
 
-std::string dotted(const nlohmann::json::json_pointer& place) {
-  std::string text = place.to_string();
+std::string dotted(const nlohmann::json::json_pointer& pointer) {
+  std::string text = pointer.to_string();
   if (!text.empty()) text.erase(0, 1);
   std::ranges::replace(text, '/', '.');
   return text;
@@ -226,25 +226,25 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
 nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment) {
   const std::string source = fmt::format("setting {}", printable(assignment, 100));
   if (!is_utf8(assignment)) fail(source, "the bytes are not UTF-8");
-  const std::size_t equals = place_of_equals(assignment);
+  const std::size_t equals = position_of_equals(assignment);
   if (equals == std::string_view::npos || equals == 0) {
     fail(source, "expected dotted.key=value, for example signatures.0.histogram.bins=40");
   }
   constexpr auto max_keys = 100;
   nlohmann::json* target = &document;
-  nlohmann::json::json_pointer place;
+  nlohmann::json::json_pointer pointer;
   std::string_view keys = assignment.substr(0, equals);
   for (int depth = 0; !keys.empty(); ++depth) {
     if (depth >= max_keys) fail(source, fmt::format("more than {} keys", max_keys));
     const OverrideStep step = take_step(keys, source);
     const bool by_name = step.bracketed && !is_index(step.text);
     nlohmann::json& next = by_name ? named_element(*target, step.text, source) : child(*target, step.text, source);
-    place /= key_in(*target, next, step.text);
+    pointer /= key_in(*target, next, step.text);
     target = &next;
   }
   const std::string_view value = assignment.substr(equals + 1);
   *target = parse_if_json(value, source).value_or(nlohmann::json(value));
-  return place;
+  return pointer;
 }
 
 }  // namespace shapegauge

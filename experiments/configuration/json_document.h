@@ -44,7 +44,7 @@ auto at_key(const std::string& key, Step step) {
 }
 
 /// Formats a JSON pointer in the notation of the option `--set`: "/datasets/0/root" becomes "datasets.0.root".
-std::string dotted(const nlohmann::json_pointer<std::string>& place);
+std::string dotted(const nlohmann::json_pointer<std::string>& pointer);
 
 /// Parses a JSON text, which may have comments (`//` and `/* */`). Throws InputError for invalid JSON, with line and
 /// column, for a repeated key of an object, and for values nested more than 100 deep. `source`, such as the name of the

@@ -111,8 +111,8 @@ std::string default_text(const Parameter& parameter) {
 ParameterValues read_parameters(std::span<const Parameter> parameters, const Json& settings) {
   ParameterValues values(parameters);
   for (const Parameter& parameter : parameters) {
-    const auto given = settings.find(parameter.name);
-    if (given != settings.end()) values.set(parameter.name, parameter_value(*given));
+    const auto setting = settings.find(parameter.name);
+    if (setting != settings.end()) values.set(parameter.name, parameter_value(*setting));
   }
   values.require_complete();
   return values;
@@ -178,15 +178,6 @@ std::string markdown_list(std::span<const Parameter> parameters) {
         fmt::format("- `{}` ({}; {}): {}\n", parameter.name, markdown_values(parameter), usual, parameter.description);
   }
   return list;
-}
-
-std::string markdown_table(std::span<const Parameter> parameters) {
-  std::string table = "| key | value | default |\n|---|---|---|\n";
-  for (const Parameter& parameter : parameters) {
-    table += fmt::format("| `{}` | {} ({}) | {} |\n", parameter.name, parameter.description, markdown_values(parameter),
-                         default_text(parameter));
-  }
-  return table;
 }
 
 }  // namespace shapegauge

@@ -44,7 +44,4 @@ nlohmann::ordered_json schema_of(const Parameter& parameter);
 /// Formats a Markdown list that documents parameters: key, valid values, default, meaning.
 std::string markdown_list(std::span<const Parameter> parameters);
 
-/// Formats a Markdown table that documents parameters: key, meaning with the valid values, default.
-std::string markdown_table(std::span<const Parameter> parameters);
-
 }  // namespace shapegauge

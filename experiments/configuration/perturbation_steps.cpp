@@ -22,10 +22,11 @@ constexpr std::array one_of_parameters{
               .kind = ParameterKind::choice,
               .default_value = assignments[0],
               .choices = assignments,
-              .description = "random: drawn for each model; in_turn: by the model's position in the data set."}};
+              .description = "Choice of the list. random: drawn for each model; in_turn: in cyclic order of the "
+                             "models."}};
 
 constexpr PerturbationType one_of_type{.name = "one_of",
-                                       .description = "Gives each model one of the lists of steps in its `choices`.",
+                                       .description = "Give each model one of the lists of steps in its `choices`.",
                                        .parameters = one_of_parameters,
                                        .has_choices = true};
 
@@ -59,9 +60,9 @@ Shape apply_step(Shape shape, const Perturbation& step, PerturbationContext& con
 
 Shape apply_steps(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& context) {
   for (const Perturbation& step : steps) {
-    PerturbationContext own{
+    PerturbationContext step_context{
         .random = RandomNumbers(context.random.next()), .model = context.model, .result = context.result};
-    shape = apply_step(std::move(shape), step, own);
+    shape = apply_step(std::move(shape), step, step_context);
   }
   return shape;
 }

@@ -50,8 +50,8 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   ReportConfiguration report;
   const auto first = std::ranges::find_if(signatures, has_field);
   report.pictured_signature = static_cast<std::size_t>(first - signatures.begin());
-  if (setting.is_boolean()) report.wanted = setting;
-  const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.wanted);
+  if (setting.is_boolean()) report.enabled = setting;
+  const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.enabled);
   report.pictures = pictures != Json(false) && first != signatures.end();
   report.views = report.pictures && (!setting.is_object() || setting.value("views", true));
   if (setting.is_object()) report.up = value_of_word<UpAxis>(setting.value("up", name_of(report.up))).value();
@@ -294,8 +294,8 @@ GeneratorOptions read_generator(const Json& dataset) {
   return at_key("generate", [&] { return read_options(generator_table(), dataset.at("generate")); });
 }
 
-Configuration configuration_from_json(const Json& given, const std::string& source, const fs::path& folder) {
-  Json document = given;
+Configuration configuration_from_json(const Json& json, const std::string& source, const fs::path& folder) {
+  Json document = json;
   read_dataset_files(document, source, folder, retrieval_paths().datasets);
   expand_short_forms(document);
   check_against_schema(document, "retrieval_experiment", source);
@@ -305,18 +305,19 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
 namespace {
 
 /// Returns the positions of paths in a document, all of which hold strings.
-std::vector<Json::json_pointer> places_of_paths(const Json& document, const DocumentPaths& paths) {
-  std::vector<Json::json_pointer> places = matching_pointers(document, paths.files);
+std::vector<Json::json_pointer> path_pointers(const Json& document, const DocumentPaths& paths) {
+  std::vector<Json::json_pointer> pointers = matching_pointers(document, paths.files);
   for (const Json::json_pointer& dataset : matching_pointers(document, paths.datasets)) {
-    places.push_back(dataset);
-    places.push_back(dataset / "root");
+    pointers.push_back(dataset);
+    pointers.push_back(dataset / "root");
   }
-  std::erase_if(places, [&](const auto& place) { return !document.contains(place) || !document[place].is_string(); });
-  return places;
+  std::erase_if(pointers,
+                [&](const auto& pointer) { return !document.contains(pointer) || !document[pointer].is_string(); });
+  return pointers;
 }
 
-bool is_at_or_below(const Json::json_pointer& place, const Json::json_pointer& above) {
-  return (place.to_string() + "/").starts_with(above.to_string() + "/");
+bool is_at_or_below(const Json::json_pointer& pointer, const Json::json_pointer& above) {
+  return (pointer.to_string() + "/").starts_with(above.to_string() + "/");
 }
 
 }  // namespace
@@ -331,10 +332,10 @@ std::vector<fs::path> apply_overrides(Json& document, const std::string& source,
   std::vector<fs::path> files = read_dataset_files(document, source, folder, paths_of(document).datasets);
   for (const std::string& assignment : overrides) {
     const Json::json_pointer changed = apply_override(document, assignment);
-    for (const Json::json_pointer& place : places_of_paths(document, paths_of(document))) {
-      if (!is_at_or_below(place, changed)) continue;
-      const std::string path = expand_variables(document[place].get<std::string>());
-      document[place] = fs::absolute(path).lexically_normal().string();
+    for (const Json::json_pointer& pointer : path_pointers(document, paths_of(document))) {
+      if (!is_at_or_below(pointer, changed)) continue;
+      const std::string path = expand_variables(document[pointer].get<std::string>());
+      document[pointer] = fs::absolute(path).lexically_normal().string();
     }
   }
   return files;

@@ -133,7 +133,7 @@ void add_layouts(OrderedJson& definitions) {
     if (layout.has_splits) split.push_back(layout.name);
   }
   definitions["layout"] = {
-      {"description", described_entries("Layout of the files, required without generate.", dataset_layouts())},
+      {"description", described_entries("Layout of the files, required without `generate`.", dataset_layouts())},
       {"enum", dataset_layouts().names()}};
   definitions["dataset_classification"] = {
       {"description",
@@ -214,7 +214,7 @@ OrderedJson schema_definitions() {
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
   definitions["report"]["then"]["properties"]["up"] = schema_of(up_parameter());
   definitions["protocol"]["enum"] = list_of_words<Protocol>();
-  definitions["distance"]["description"] = described_entries("Distance between signatures.", distances());
+  definitions["distance"]["description"] = described_entries("Distance between histograms of fields.", distances());
   definitions["distance"]["enum"] = distances().names();
   definitions["evaluation"]["properties"]["measures"]["description"] =
       fmt::format("Measures, such as NN or P@10 (default: those of the protocols). Available: {}.",

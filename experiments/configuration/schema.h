@@ -35,10 +35,10 @@ std::vector<ParameterGroup> section_groups();
 /// protocols and layouts. Schemas of the kinds of experiments refer to them as "#/definitions/NAME".
 nlohmann::ordered_json schema_definitions();
 
-/// Fills in the tables of docs/reference/configuration.md: replaces the text between a line `<!-- NAME -->` and the
-/// next line `<!-- end -->` by the tables of the group of that name, or of all `fields`, `perturbations`, `descriptors`
-/// or `rerank` methods.
-std::string with_reference_tables(std::string_view page);
+/// Fills in the lists of settings in docs/reference/configuration.md: replaces the text between a line
+/// `<!-- list: NAME -->` and the next line `<!-- end -->` by the settings of the section of that name, or of all
+/// `fields`, `perturbations`, `descriptors` or `rerank` methods.
+std::string with_reference_lists(std::string_view page);
 
 /// Validates a document against a schema without definitions of its own, which may refer to schema_definitions().
 /// Throws InputError for one fault: an unknown key first, with the nearest known one; otherwise the deepest in the

@@ -95,8 +95,8 @@ Json to_json(const ShapeComparison& comparison) {
   return json;
 }
 
-ShapeComparison comparison_from_json(const Json& given, const std::string& source, const fs::path& folder) {
-  Json document = given;
+ShapeComparison comparison_from_json(const Json& json, const std::string& source, const fs::path& folder) {
+  Json document = json;
   expand_short_forms(document);
   check_against_schema(document, "comparison_experiment", source);
   return with_source(source, [&] { return checked_comparison(document, folder); });

@@ -63,9 +63,9 @@ Part part_of_environment() {
 }  // namespace
 
 std::vector<std::size_t> Part::of(const std::vector<std::size_t>& items) const {
-  std::vector<std::size_t> own;
-  for (std::size_t i = number - 1; i < items.size(); i += count) own.push_back(items[i]);
-  return own;
+  std::vector<std::size_t> shard;
+  for (std::size_t i = number - 1; i < items.size(); i += count) shard.push_back(items[i]);
+  return shard;
 }
 
 Part parse_part(std::string_view text) {

@@ -19,7 +19,7 @@ namespace shapegauge {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using Place = Json::json_pointer;
+using Pointer = Json::json_pointer;
 
 namespace {
 
@@ -54,18 +54,18 @@ fs::path moved_to_root(const fs::path& path, const fs::path& old_root, const fs:
   return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
 }
 
-/// Returns the path at a place of the recorded configuration. Throws InputError for anything but text.
-fs::path path_at(const Json& configuration, const Place& place) {
-  const Json& path = configuration.at(place);
+/// Returns the path at a pointer into the recorded configuration. Throws InputError for anything but text.
+fs::path path_at(const Json& configuration, const Pointer& pointer) {
+  const Json& path = configuration.at(pointer);
   if (path.is_string()) return path.get<std::string>();
   throw InputError(
-      fmt::format("configuration.{} of the manifest: expected a path; the manifest is damaged", dotted(place)));
+      fmt::format("configuration.{} of the manifest: expected a path; the manifest is damaged", dotted(pointer)));
 }
 
-/// Returns the deepest folder that contains all files at the places; empty if there are none.
-fs::path common_folder(const Json& configuration, const std::vector<Place>& files) {
+/// Returns the deepest folder that contains all files at the pointers; empty if there are none.
+fs::path common_folder(const Json& configuration, const std::vector<Pointer>& files) {
   std::optional<fs::path> common;
-  for (const Place& file : files) {
+  for (const Pointer& file : files) {
     const fs::path folder = path_at(configuration, file).parent_path();
     if (!common) common = folder;
     while (!lies_in(folder, *common)) common = common->parent_path();
@@ -73,17 +73,17 @@ fs::path common_folder(const Json& configuration, const std::vector<Place>& file
   return common.value_or(fs::path());
 }
 
-void move_files(Json& configuration, const std::vector<Place>& files, const fs::path& root) {
+void move_files(Json& configuration, const std::vector<Pointer>& files, const fs::path& root) {
   const fs::path old_root = common_folder(configuration, files);
-  for (const Place& file : files) {
+  for (const Pointer& file : files) {
     configuration[file] = moved_to_root(path_at(configuration, file), old_root, root).string();
   }
 }
 
-void move_dataset(Json& configuration, const Place& dataset, const fs::path& root) {
+void move_dataset(Json& configuration, const Pointer& dataset, const fs::path& root) {
   const fs::path old_root = path_at(configuration, dataset / "root");
   configuration[dataset / "root"] = root.string();
-  const Place classification = dataset / "classification";
+  const Pointer classification = dataset / "classification";
   if (!configuration.contains(classification)) return;
   configuration[classification] = moved_to_root(path_at(configuration, classification), old_root, root).string();
 }
@@ -97,8 +97,8 @@ bool is_failure(const Json& value) { return value.is_object() && value.value("mo
 
 /// Throws InputError for entries that changed_inputs() and compare_outputs() cannot read.
 void check_entries(const Json& manifest, const std::string& source) {
-  const auto expect = [&](const char* place, bool valid, const char* expected) {
-    if (!valid) throw InputError(fmt::format("{}: {}: expected {}; the manifest is damaged", source, place, expected));
+  const auto expect = [&](const char* entry, bool valid, const char* expected) {
+    if (!valid) throw InputError(fmt::format("{}: {}: expected {}; the manifest is damaged", source, entry, expected));
   };
   const Json& inputs = manifest.at("inputs");
   expect("inputs.models", has_hashes(inputs.value("models", Json::object())), "the hash of each model");
@@ -129,9 +129,9 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   if (root.empty()) return configuration;
   const fs::path absolute_root = fs::absolute(root).lexically_normal();
   const DocumentPaths paths = paths_of(configuration);
-  const std::vector<Place> files = matching_pointers(configuration, paths.files);
-  std::vector<Place> datasets = matching_pointers(configuration, paths.datasets);
-  std::erase_if(datasets, [&](const Place& place) { return !configuration.at(place).contains("root"); });
+  const std::vector<Pointer> files = matching_pointers(configuration, paths.files);
+  std::vector<Pointer> datasets = matching_pointers(configuration, paths.datasets);
+  std::erase_if(datasets, [&](const Pointer& pointer) { return !configuration.at(pointer).contains("root"); });
   if (datasets.size() > 1) {
     throw InputError(fmt::format("`dataset_root`: the run has several data sets; name each, as in `set={}.root=FOLDER`",
                                  dotted(datasets.front())));
@@ -139,7 +139,7 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   if (datasets.empty() && files.empty()) {
     throw InputError("`dataset_root`: all shapes of this run were generated; omit it");
   }
-  for (const Place& dataset : datasets) move_dataset(configuration, dataset, absolute_root);
+  for (const Pointer& dataset : datasets) move_dataset(configuration, dataset, absolute_root);
   move_files(configuration, files, absolute_root);
   return configuration;
 }

@@ -126,11 +126,11 @@ std::string file_safe_name(std::string_view name) {
 
 std::vector<std::string> file_safe_names(std::span<const std::string> names) {
   std::vector<std::string> safe_names;
-  std::set<std::string> taken;
+  std::set<std::string> used;
   for (const std::string& name : names) {
     const std::string safe = file_safe_name(name);
     std::string candidate = safe;
-    for (int i = 2; !taken.insert(lower_case(candidate)).second; ++i) candidate = fmt::format("{}_{}", safe, i);
+    for (int i = 2; !used.insert(lower_case(candidate)).second; ++i) candidate = fmt::format("{}_{}", safe, i);
     safe_names.push_back(candidate);
   }
   return safe_names;

@@ -72,28 +72,28 @@ OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape, std::v
 }
 
 // Throws InputError if the ids of a file are not those that the matrix has, if any.
-void check_same_ids(const std::vector<std::string>& given, const std::vector<std::string>& own, std::string_view what,
-                    const EvaluationFiles& files) {
-  const ModelKeys keys(own);
-  for (std::size_t i = 0; i < std::min(given.size(), own.size()); ++i) {
-    if (keys.of(given[i]) == keys.of(own[i])) continue;
-    throw InputError(fmt::format("{} {} has the id {} in {}, but {} in {}", what, i + 1, quoted_word(own[i]),
-                                 files.matrix.string(), quoted_word(given[i]), files.ids.string()));
+void check_same_ids(const std::vector<std::string>& file_ids, const std::vector<std::string>& matrix_ids,
+                    std::string_view what, const EvaluationFiles& files) {
+  const ModelKeys keys(matrix_ids);
+  for (std::size_t i = 0; i < std::min(file_ids.size(), matrix_ids.size()); ++i) {
+    if (keys.of(file_ids[i]) == keys.of(matrix_ids[i])) continue;
+    throw InputError(fmt::format("{} {} has the id {} in {}, but {} in {}", what, i + 1, quoted_word(matrix_ids[i]),
+                                 files.matrix.string(), quoted_word(file_ids[i]), files.ids.string()));
   }
 }
 
-// Returns the ids of the rows and columns given by the files; empty if there are none.
+// Returns the ids of the rows and columns according to the files; empty if there are none.
 MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
-    const std::vector<std::string> given = read_ids(files.ids);
-    if (given.empty()) throw InputError(fmt::format("{} has no ids; expected one per line", files.ids.string()));
-    check_same_ids(given, ids.rows, "row", files);
+    const std::vector<std::string> file_ids = read_ids(files.ids);
+    if (file_ids.empty()) throw InputError(fmt::format("{} has no ids; expected one per line", files.ids.string()));
+    check_same_ids(file_ids, ids.rows, "row", files);
     if (matrix.rows == matrix.columns) {
-      check_same_ids(given, ids.columns, "column", files);
-      ids.columns = given;
+      check_same_ids(file_ids, ids.columns, "column", files);
+      ids.columns = file_ids;
     }
-    ids.rows = given;
+    ids.rows = file_ids;
     if (ids.columns.empty()) {
       throw InputError(
           fmt::format("{} has the ids of the rows only, and the columns of {} have none; use a table with the ids of "
@@ -134,8 +134,8 @@ bool has_ranked_answers(const EvaluationFiles& files) {
                                                                       {"order", files.order != RowOrder::usual},
                                                                       {"ids", !files.ids.empty()},
                                                                       {"variable", !files.variable.empty()}}};
-  for (const auto& [setting, given] : of_matrices) {
-    if (!given) continue;
+  for (const auto& [setting, is_set] : of_matrices) {
+    if (!is_set) continue;
     throw InputError(fmt::format("{}: `{}` applies to matrices only, and the file has ranked lists",
                                  files.matrix.string(), setting));
   }

@@ -61,8 +61,8 @@ Eigen::RowVectorXd scores_of(const CsvRow& row, std::span<const std::string> mea
   return scores;
 }
 
-// Positions of a method's queries.
-struct QueryPlaces {
+// Rows of a method's queries, by key.
+struct QueryRows {
   ModelKeys keys;
   std::unordered_map<std::string, std::size_t> by_key;
 
@@ -72,14 +72,14 @@ struct QueryPlaces {
   }
 };
 
-QueryPlaces places_of(const MethodScores& method) {
-  QueryPlaces places{.keys = ModelKeys(method.queries), .by_key = {}};
+QueryRows query_rows_of(const MethodScores& method) {
+  QueryRows query_rows{.keys = ModelKeys(method.queries), .by_key = {}};
   for (const std::string& query : method.queries) {
-    if (places.by_key.emplace(places.keys.of(query), places.by_key.size()).second) continue;
+    if (query_rows.by_key.emplace(query_rows.keys.of(query), query_rows.by_key.size()).second) continue;
     throw InputError(
         fmt::format("{}: repeated query {} for {}", method.source, quoted_word(query), quoted_word(method.method)));
   }
-  return places;
+  return query_rows;
 }
 
 // Names a method with its file.
@@ -96,8 +96,8 @@ void check_protocols(std::span<const MethodScores> methods) {
   }
 }
 
-// Returns the identity of a file; for a run's per_query.csv, its folder.
-std::filesystem::path place_of(const MethodScores& method) {
+// Returns the file of the scores; for a run's per_query.csv, its folder.
+std::filesystem::path location_of(const MethodScores& method) {
   const std::filesystem::path file = std::filesystem::path(method.source).lexically_normal();
   return file.filename() == per_query_name && file.has_parent_path() ? file.parent_path() : file;
 }
@@ -107,12 +107,12 @@ std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
   for (std::size_t i = 0; i < methods.size(); ++i) uses[methods[i].method].push_back(i);
   std::vector<std::string> names(methods.size());
   for (const auto& [name, users] : uses) {
-    std::vector<std::filesystem::path> places;
-    for (const std::size_t i : users) places.push_back(place_of(methods[i]));
-    const std::vector<std::string> ends = distinguishing_suffixes(places);
+    std::vector<std::filesystem::path> locations;
+    for (const std::size_t i : users) locations.push_back(location_of(methods[i]));
+    const std::vector<std::string> ends = distinguishing_suffixes(locations);
     std::map<std::string, int> repeated;
     for (std::size_t k = 0; k < users.size(); ++k) {
-      const bool named_by_file = places[k].stem().string() == name;
+      const bool named_by_file = locations[k].stem().string() == name;
       std::string unique = named_by_file ? ends[k] : fmt::format("{}: {}", ends[k], name);
       if (users.size() == 1) unique = name;
       const int use = ++repeated[unique];  // the same file twice
@@ -122,24 +122,24 @@ std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
   return names;
 }
 
-std::vector<std::string> checked_names(std::span<const MethodScores> methods, std::span<const std::string> wanted) {
-  if (wanted.empty()) return unique_names(methods);
-  if (wanted.size() != methods.size()) {
-    throw InputError(fmt::format("`names` has {} names for {} methods ({})", wanted.size(), methods.size(),
+std::vector<std::string> checked_names(std::span<const MethodScores> methods, std::span<const std::string> requested) {
+  if (requested.empty()) return unique_names(methods);
+  if (requested.size() != methods.size()) {
+    throw InputError(fmt::format("`names` has {} names for {} methods ({})", requested.size(), methods.size(),
                                  fmt::join(unique_names(methods), ", ")));
   }
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (wanted[i].empty()) throw InputError("a name in `names` is empty");
-    if (std::ranges::count(wanted, wanted[i]) > 1) {
-      throw InputError(fmt::format("two methods have the name {}; change `names`", quoted_word(wanted[i])));
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    if (requested[i].empty()) throw InputError("a name in `names` is empty");
+    if (std::ranges::count(requested, requested[i]) > 1) {
+      throw InputError(fmt::format("two methods have the name {}; change `names`", quoted_word(requested[i])));
     }
   }
-  return {wanted.begin(), wanted.end()};
+  return {requested.begin(), requested.end()};
 }
 
 std::vector<std::string> measures_to_compare(std::span<const MethodScores> methods,
-                                             std::span<const std::string> wanted) {
-  if (!wanted.empty()) return {wanted.begin(), wanted.end()};
+                                             std::span<const std::string> requested) {
+  if (!requested.empty()) return {requested.begin(), requested.end()};
   std::vector<std::string> common = methods[0].measures;
   std::erase_if(common, [&](const std::string& measure) {
     return !std::ranges::all_of(methods, [&](const MethodScores& method) {
@@ -159,10 +159,10 @@ Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
 
 // Returns the row of each query of `first` in `method`; both have the same queries and classes.
 std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& method) {
-  const QueryPlaces places = places_of(method);
+  const QueryRows query_rows = query_rows_of(method);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
-    const auto found = places.find(first.queries[i]);
+    const auto found = query_rows.find(first.queries[i]);
     if (!found) {
       throw InputError(
           fmt::format("{}: {} lacks the query {}, which {} has; only scores of the same queries can be compared",
@@ -175,8 +175,8 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
     }
     rows.push_back(*found);
   }
-  if (places.by_key.size() == first.queries.size()) return rows;
-  const QueryPlaces known = places_of(first);
+  if (query_rows.by_key.size() == first.queries.size()) return rows;
+  const QueryRows known = query_rows_of(first);
   const auto more = std::ranges::find_if(method.queries, [&](const std::string& query) { return !known.find(query); });
   throw InputError(
       fmt::format("{}: {} has the query {}, which {} lacks; only scores of the same queries can be compared",
@@ -202,24 +202,24 @@ std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) 
   const std::vector<std::string> measures(rows[0].cells.begin() + first_measure, rows[0].cells.end());
   std::vector<MethodScores> methods;
   std::vector<std::vector<Eigen::RowVectorXd>> scores;
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  std::map<std::pair<std::string, std::string>, std::size_t> indices;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Eigen::RowVectorXd of_query = scores_of(rows[i], measures, source);
     const std::vector<std::string>& cells = rows[i].cells;
-    const auto [place, is_new] = places.emplace(std::pair(cells[0], cells[1]), methods.size());
+    const auto [entry, is_new] = indices.emplace(std::pair(cells[0], cells[1]), methods.size());
     if (is_new) {
       methods.push_back({.method = cells[0], .source = source, .protocol = cells[1], .measures = measures});
       scores.emplace_back();
     }
-    methods[place->second].queries.push_back(cells[2]);
-    methods[place->second].classes.push_back(cells[3]);
-    scores[place->second].push_back(of_query);
+    methods[entry->second].queries.push_back(cells[2]);
+    methods[entry->second].classes.push_back(cells[3]);
+    scores[entry->second].push_back(of_query);
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     methods[m].values.resize(static_cast<Eigen::Index>(scores[m].size()), static_cast<Eigen::Index>(measures.size()));
     for (std::size_t i = 0; i < scores[m].size(); ++i)
       methods[m].values.row(static_cast<Eigen::Index>(i)) = scores[m][i];
-    places_of(methods[m]);
+    query_rows_of(methods[m]);
   }
   return methods;
 }
@@ -244,12 +244,12 @@ MethodScores method_scores(const std::string& method, const std::string& source,
   return values;
 }
 
-AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> requested_measures,
                              std::span<const std::string> names) {
   check_protocols(methods);
   AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,
-                         .measures = measures_to_compare(methods, wanted_measures),
+                         .measures = measures_to_compare(methods, requested_measures),
                          .classes = class_numbers(methods[0].classes)};
   const auto queries = static_cast<Eigen::Index>(methods[0].queries.size());
   aligned.values.assign(aligned.measures.size(), Eigen::MatrixXd(queries, static_cast<Eigen::Index>(methods.size())));

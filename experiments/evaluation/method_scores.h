@@ -53,12 +53,12 @@ struct AlignedMethods {
   std::vector<Eigen::MatrixXd> values{};  ///< per measure: scores as fractions, a row per query, a column per method
 };
 
-/// Aligns the scores of methods by query, for the requested measures, or for all common measures if `wanted_measures`
-/// is empty. `names` are the methods' names, if not empty. Otherwise methods of equal names get the shortest
-/// distinguishing suffix of their file's path. There must be at least one method. Throws InputError for different
-/// protocols, queries that differ between methods or have different classes, a missing measure, a wrong number of
-/// names, and equal names.
-AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
+/// Aligns the scores of methods by query, for the requested measures, or for all common measures if
+/// `requested_measures` is empty. `names` are the methods' names, if not empty. Otherwise methods of equal names get
+/// the shortest distinguishing suffix of their file's path. There must be at least one method. Throws InputError for
+/// different protocols, queries that differ between methods or have different classes, a missing measure, a wrong
+/// number of names, and equal names.
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> requested_measures,
                              std::span<const std::string> names = {});
 
 }  // namespace shapegauge

@@ -149,15 +149,16 @@ DatasetLeaderboards evaluate_datasets(const std::vector<SubmittedDataset>& datas
                                       Cache& cache, const JudgingProgress& progress) {
   DatasetLeaderboards all{.datasets = datasets, .boards = {}, .results = {}, .refused = {}, .skipped = {}};
   for (const SubmittedDataset& dataset : datasets) {
-    JudgingOptions own = options;
-    own.files = dataset.files;
-    const std::vector<fs::path> about{own.files.labels, own.files.targets, own.files.qrels, own.files.ids};
+    JudgingOptions dataset_options = options;
+    dataset_options.files = dataset.files;
+    const std::vector<fs::path> about{dataset_options.files.labels, dataset_options.files.targets,
+                                      dataset_options.files.qrels, dataset_options.files.ids};
     const FoundSubmissions found = find_submissions(std::span(&dataset.folder, 1), about);
     const auto within = [&](const std::string& name, std::size_t done, std::size_t count) {
       if (progress) progress(fmt::format("{}, {}", dataset.name, name), done, count);
     };
     try {
-      all.boards.push_back(judge_submissions(found, own, cache, within));
+      all.boards.push_back(judge_submissions(found, dataset_options, cache, within));
     } catch (const InputError& error) {
       throw InputError(fmt::format("data set {}: {}", dataset.name, error.what()));
     }

@@ -208,11 +208,11 @@ class Judging {
   std::vector<MethodScores> scores_;
 };
 
-std::size_t index_of_measure(const std::string& wanted, const std::vector<std::string>& measures) {
-  const auto found = std::ranges::find(measures, wanted.empty() ? "mAP" : wanted);
+std::size_t index_of_measure(const std::string& measure, const std::vector<std::string>& measures) {
+  const auto found = std::ranges::find(measures, measure.empty() ? "mAP" : measure);
   if (found != measures.end()) return static_cast<std::size_t>(found - measures.begin());
-  if (wanted.empty()) return 0;
-  throw InputError(fmt::format("`rank_by`: {} is not among the measures ({})", wanted, fmt::join(measures, ", ")));
+  if (measure.empty()) return 0;
+  throw InputError(fmt::format("`rank_by`: {} is not among the measures ({})", measure, fmt::join(measures, ", ")));
 }
 
 std::vector<std::string> measure_names(const EvaluationOptions& options) {

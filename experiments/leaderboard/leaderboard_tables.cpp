@@ -23,7 +23,7 @@ std::vector<std::string> interval_cells(const MethodStanding& standing, const Sc
 }
 
 // Returns " ± " and the standard deviation over repetitions of a measure, if there is one.
-std::string deviation_beside(const Eigen::VectorXd& deviations, std::size_t measure, const ScoreStyle& style) {
+std::string deviation_suffix(const Eigen::VectorXd& deviations, std::size_t measure, const ScoreStyle& style) {
   if (deviations.size() == 0) return "";
   return fmt::format(" ± {}", score_text(deviations[static_cast<Eigen::Index>(measure)], style));
 }
@@ -78,7 +78,7 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style) {
     for (std::size_t k = 0; k < board.measures.size(); ++k) {
       const MethodStanding& standing = board.micro[k][i];
       row.push_back(score_text(standing.average, style) +
-                    deviation_beside(board.submissions[i].micro_deviation, k, style));
+                    deviation_suffix(board.submissions[i].micro_deviation, k, style));
       const std::string mark = standing.letters + " " + board.macro[k][i].letters;
       table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = mark});
     }
@@ -148,7 +148,7 @@ std::optional<std::string> few_classes_warning(const Leaderboard& board, const S
 }
 
 std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files) {
-  std::set<std::string, std::greater<>> folders;  // the longer one of two that begin alike comes first
+  std::set<std::string, std::greater<>> folders;  // of two with the same beginning, the longer comes first
   for (const std::filesystem::path& file : {submission, files.labels, files.targets, files.qrels, files.ids}) {
     if (file.has_parent_path()) folders.insert((file.parent_path() / "").string());
   }

@@ -35,8 +35,8 @@ std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   for (const auto& [page, key] : json["pages"].items()) {
     // Only names that this function writes: no path may lead out of the folder.
     const fs::path path(page);
-    const bool own = path.parent_path() == site_methods && path.extension() == ".html";
-    if (own && key.is_string()) keys.emplace(page, key.get<std::string>());
+    const bool is_method_page = path.parent_path() == site_methods && path.extension() == ".html";
+    if (is_method_page && key.is_string()) keys.emplace(page, key.get<std::string>());
   }
   return keys;
 }
@@ -186,10 +186,10 @@ SiteUpdate write_dataset_site(const fs::path& folder, const std::string& title, 
   for (std::size_t i = 0; i < all.datasets.size(); ++i) {
     EvaluatedDataset& dataset = linked.results.datasets[i];
     dataset.page = fmt::format("{}/{}", dataset.folder, site_index);
-    JudgingOptions own = options;
-    own.files = all.datasets[i].files;
+    JudgingOptions dataset_options = options;
+    dataset_options.files = all.datasets[i].files;
     const SiteUpdate update =
-        write_site(folder / dataset.folder, fmt::format("{}: {}", title, dataset.name), all.boards[i], own);
+        write_site(folder / dataset.folder, fmt::format("{}: {}", title, dataset.name), all.boards[i], dataset_options);
     sum.written += update.written;
     sum.unchanged += update.unchanged;
     sum.removed += update.removed;

@@ -27,7 +27,7 @@ inline constexpr std::string_view site_methods = "methods";        ///< folder w
 /// files that is not an earlier site.
 void check_site_folder(const std::filesystem::path& folder);
 
-/// Numbers of pages of submissions that a call of write_site() has written, kept and removed.
+/// Numbers of pages of submissions that a call of write_site() has written, left unchanged and removed.
 struct SiteUpdate {
   std::size_t written = 0;    ///< number of pages of new or changed submissions
   std::size_t unchanged = 0;  ///< number of pages of unchanged submissions

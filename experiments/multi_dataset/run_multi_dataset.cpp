@@ -300,8 +300,8 @@ OrderedJson multi_dataset_schema() {
   return schema;
 }
 
-Experiment read_multi_dataset(const Json& given, const std::string& source, const fs::path& folder) {
-  Json document = given;  // read_experiment() has read files of data sets, other callers have not
+Experiment read_multi_dataset(const Json& json, const std::string& source, const fs::path& folder) {
+  Json document = json;  // read_experiment() has read files of data sets, other callers have not
   read_dataset_files(document, source, folder, multi_dataset_paths().datasets);
   check_by_schema(document, multi_dataset_schema(), source);
   const auto experiment = std::make_shared<const MultiDatasetExperiment>(read_parts(document, source, folder));

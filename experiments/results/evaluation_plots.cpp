@@ -80,10 +80,10 @@ Drawing class_plot(std::span<const NamedEvaluation> evaluations, std::span<const
   for (const NamedEvaluation& named : evaluations) {
     ChartBars bars{.name = named.method, .values = {}};
     for (const int label : first.classes) {
-      const auto place = std::ranges::find(named.evaluation->classes, label);
-      const bool known = place != named.evaluation->classes.end();
+      const auto entry = std::ranges::find(named.evaluation->classes, label);
+      const bool known = entry != named.evaluation->classes.end();
       const double none = std::numeric_limits<double>::quiet_NaN();
-      bars.values.push_back(known ? 100 * named.evaluation->per_class(place - named.evaluation->classes.begin(), column)
+      bars.values.push_back(known ? 100 * named.evaluation->per_class(entry - named.evaluation->classes.begin(), column)
                                   : none);
     }
     chart.bars.push_back(std::move(bars));

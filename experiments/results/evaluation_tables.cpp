@@ -26,7 +26,8 @@ void append_scores(Row& row, const Eigen::VectorXd& fractions, const ScoreStyle&
   for (const double fraction : fractions) row.push_back(score_text(fraction, style));
 }
 
-void add_beside(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals, const ScoreStyle& style) {
+void append_to_cells(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals,
+                     const ScoreStyle& style) {
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     row[first + i] +=
         fmt::format(" [{}, {}]", score_text(intervals[i].low, style), score_text(intervals[i].high, style));
@@ -109,7 +110,7 @@ TextTable summary_table(std::span<const NamedEvaluation> evaluations, const Scor
       append_scores(row, micro ? evaluation.micro : evaluation.macro, style);
       const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
       if (columns) add_columns(row, of_average, style);
-      if (intervals == IntervalCells::beside) add_beside(row, text_columns, of_average, style);
+      if (intervals == IntervalCells::in_cells) append_to_cells(row, text_columns, of_average, style);
       table.rows.push_back(std::move(row));
     }
   }

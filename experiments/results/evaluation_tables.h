@@ -49,9 +49,9 @@ struct NamedEvaluation {
   std::size_t failed = 0;  ///< number of models that the method cannot process, which count as not found
 };
 
-/// Placement of confidence intervals in a table. `none`: no intervals; `beside`: in the cell of each score; `columns`:
-/// in additional columns NN_low, NN_high, ... after all scores, if every evaluation has intervals.
-enum class IntervalCells { none, beside, columns };
+/// Placement of confidence intervals in a table. `none`: no intervals; `in_cells`: in the cell of each score;
+/// `columns`: in additional columns NN_low, NN_high, ... after all scores, if every evaluation has intervals.
+enum class IntervalCells { none, in_cells, columns };
 
 /// Makes a table with a row for each evaluation and average (micro, macro): method, protocol, average, and the measures
 /// of the first evaluation. If a method failed on some models, a column with their number (failed) follows the name.

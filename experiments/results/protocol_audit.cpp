@@ -27,11 +27,12 @@ struct Column {
 
 std::vector<Column> columns_of_audit() {
   const std::vector<std::string> measures{"NN", "FT", "ST", "mAP", "nDCG"};
-  Column own{.evaluator = baseline,
-             .scores = {},
-             .options = {.protocol = Protocol::psb, .ties = Ties::expected, .measures = measures_of(measures)}};
-  for (const std::string& measure : measures) own.scores.push_back({measure, measure});
-  std::vector<Column> columns{own};
+  Column baseline_column{
+      .evaluator = baseline,
+      .scores = {},
+      .options = {.protocol = Protocol::psb, .ties = Ties::expected, .measures = measures_of(measures)}};
+  for (const std::string& measure : measures) baseline_column.scores.push_back({measure, measure});
+  std::vector<Column> columns{baseline_column};
   for (const Evaluator& evaluator : evaluators()) {
     columns.push_back({evaluator.name, evaluator.scores, options_of_evaluator(evaluator.name)});
   }
@@ -203,14 +204,14 @@ TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, c
   }
   for (const std::vector<std::size_t>& group : groups_of_equal_scores(scores.front()->values)) {
     for (const std::size_t method : group) {
-      const MethodStanding& own = standings[method];
+      const MethodStanding& standing = standings[method];
       const auto value = [&](const AuditedScore& score) { return score.values[static_cast<Eigen::Index>(method)]; };
       std::vector<std::string> row{audit.methods[method],
                                    fmt::format("{}", audit.queries_with_ties[method]),
                                    score_text(value(*scores.front()), style),
-                                   own.interval ? score_text(own.interval->low, style) : "",
-                                   own.interval ? score_text(own.interval->high, style) : "",
-                                   fmt::format("{} ({}-{})", own.rank, own.best_rank, own.worst_rank)};
+                                   standing.interval ? score_text(standing.interval->low, style) : "",
+                                   standing.interval ? score_text(standing.interval->high, style) : "",
+                                   fmt::format("{} ({}-{})", standing.rank, standing.best_rank, standing.worst_rank)};
       for (const SharedColumn& column : columns) {
         row.push_back(score_text(value(*column.score), style));
         row.push_back(fmt::format("{}", column.score->ranks[method]));

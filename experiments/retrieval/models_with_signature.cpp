@@ -9,7 +9,7 @@ ModelsWithSignature::ModelsWithSignature(const std::vector<ModelFailure>& withou
     : has_signature_(all, true) {
   for (const ModelFailure& failure : without) has_signature_[failure.model] = false;
   for (std::size_t i = 0; i < all; ++i) {
-    if (has_signature_[i]) places_.push_back(static_cast<Eigen::Index>(i));
+    if (has_signature_[i]) indices_.push_back(static_cast<Eigen::Index>(i));
   }
 }
 
@@ -17,7 +17,7 @@ DistanceMatrix ModelsWithSignature::spread(DistanceMatrix between) const {
   if (has_all_models()) return between;
   const auto all = std::ssize(has_signature_);
   DistanceMatrix distances = DistanceMatrix::Constant(all, all, std::numeric_limits<double>::infinity());
-  distances(places_, places_) = between;
+  distances(indices_, indices_) = between;
   distances.diagonal().setZero();
   return distances;
 }
@@ -34,7 +34,7 @@ void ModelsWithSignature::set_infinite(DistanceMatrix& rows, Eigen::Index first)
 Signatures ModelsWithSignature::with_placeholder_rows(const Signatures& rows) const {
   Signatures filled = rows;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    if (!has_signature_[static_cast<std::size_t>(i)]) filled.row(i) = rows.row(places_.front());
+    if (!has_signature_[static_cast<std::size_t>(i)]) filled.row(i) = rows.row(indices_.front());
   }
   return filled;
 }

@@ -18,9 +18,9 @@ class ModelsWithSignature {
   ModelsWithSignature(const std::vector<ModelFailure>& without, std::size_t all);
 
   /// Returns true if every model has a signature.
-  [[nodiscard]] bool has_all_models() const { return places_.size() == has_signature_.size(); }
+  [[nodiscard]] bool has_all_models() const { return indices_.size() == has_signature_.size(); }
   /// Returns the indices of the models with a signature, in ascending order.
-  [[nodiscard]] const std::vector<Eigen::Index>& places() const { return places_; }
+  [[nodiscard]] const std::vector<Eigen::Index>& indices() const { return indices_; }
 
   /// Expands the distances between models with a signature (`between`) to all models: infinite for models without one,
   /// and 0 on the diagonal.
@@ -35,8 +35,8 @@ class ModelsWithSignature {
   [[nodiscard]] Signatures with_placeholder_rows(const Signatures& rows) const;
 
  private:
-  std::vector<bool> has_signature_;   ///< per model: true if the model has a signature
-  std::vector<Eigen::Index> places_;  ///< indices of the models with a signature
+  std::vector<bool> has_signature_;    ///< per model: true if the model has a signature
+  std::vector<Eigen::Index> indices_;  ///< indices of the models with a signature
 };
 
 }  // namespace shapegauge

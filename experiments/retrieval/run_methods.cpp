@@ -56,7 +56,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
   std::vector<DistanceMatrix> parts;
   for (const std::size_t part : signature.parts) {
     const DistanceMatrix& all = distances[part];
-    parts.push_back(holders.has_all_models() ? all : DistanceMatrix(all(holders.places(), holders.places())));
+    parts.push_back(holders.has_all_models() ? all : DistanceMatrix(all(holders.indices(), holders.indices())));
   }
   try {
     remark = remark_on(*signature.derived, parts);
@@ -172,7 +172,7 @@ class MethodsRun {
       return distances_through_cache(table, distance_between(signature, *configuration_), context_->cache);
     };
     return holders.has_all_models() ? distances_of(all)
-                                    : holders.spread(distances_of(all(holders.places(), Eigen::all)));
+                                    : holders.spread(distances_of(all(holders.indices(), Eigen::all)));
   }
 
   [[nodiscard]] StreamedRows streamed_rows(std::size_t i, const Signatures& rows) const {
@@ -263,8 +263,8 @@ class MethodsRun {
     if (configuration_->keep_distances && !distance_files_->empty())
       file.emplace((*distance_files_)[i], labels_.size());
     std::optional<OverviewAccumulator> overview;
-    if (configuration_->report.wanted) {
-      const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
+    if (configuration_->report.enabled) {
+      const double largest = whole ? largest_of_whole(whole_[i], holders_[i].indices().front())
                                    : largest_distance_from_first(streamed.distance, streamed.rows);
       overview = begin_overview(labels_, largest);
     }

@@ -186,7 +186,7 @@ RunOutcome write_results(const RunResults& to, const ExperimentResults& results,
        {distance_files(results.configuration), write_features(to.folder, results)}) {
     outcome.files.insert(outcome.files.end(), more.begin(), more.end());
   }
-  if (results.configuration.report.wanted) {
+  if (results.configuration.report.enabled) {
     write_file_atomically(to.folder / report_name, report_page(experiment_report(results, evaluations)));
     outcome.files.emplace_back(report_name);
   }

@@ -165,11 +165,11 @@ fs::path collection_base(const fs::path& path) {
 }
 
 fs::path default_index_path(const fs::path& collection, const fs::path& method) {
-  fs::path beside = fs::absolute(collection).lexically_normal();
-  if (!beside.has_filename()) beside = beside.parent_path();  // "models/"
-  std::string name = beside.filename().string();
+  fs::path path = fs::absolute(collection).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // "models/"
+  std::string name = path.filename().string();
   if (!method.empty()) name.append(".").append(method.stem().string());
-  return beside.parent_path() / (name + ".search-index");
+  return path.parent_path() / (name + ".search-index");
 }
 
 }  // namespace shapegauge

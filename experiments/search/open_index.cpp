@@ -76,10 +76,10 @@ bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
   auto indexed = contents_of(index.models);
   const auto failures = contents_of(index.failures);
   indexed.insert(indexed.end(), failures.begin(), failures.end());
-  auto wanted = contents_of(files);
+  auto current = contents_of(files);
   std::ranges::sort(indexed);
-  std::ranges::sort(wanted);
-  return indexed == wanted;
+  std::ranges::sort(current);
+  return indexed == current;
 }
 
 [[noreturn]] void fail_as_foreign(const ShapeIndex& index, const fs::path& file, const std::string& location) {
@@ -88,7 +88,7 @@ bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
 }
 
 /// Throws InputError for the index of another collection: one of another location that has none of the files. A moved
-/// collection has them, and one at the same place may have changed as a whole.
+/// collection has them, and one at the same location may have changed as a whole.
 void check_collection(const ShapeIndex& index, const fs::path& file, const std::string& location,
                       const std::vector<IndexedFile>& files) {
   if (index.collection == location) return;
@@ -139,19 +139,19 @@ Dataset dataset_of(const Collection& collection) {
   return dataset;
 }
 
-/// Returns the positions of the models with all signatures; the others become failures.
+/// Returns the rows of the models with all signatures; the others become failures.
 std::vector<Eigen::Index> complete_models(ComputedSignatures& computed) {
   std::map<std::size_t, std::string> incomplete;
   for (const std::vector<ModelFailure>& without : computed.without) {
     for (const ModelFailure& failure : without) incomplete.emplace(failure.model, failure.message);
   }
   std::vector<Eigen::Index> complete;
-  for (std::size_t place = 0; place < computed.models.size(); ++place) {
-    const auto found = incomplete.find(place);
+  for (std::size_t row = 0; row < computed.models.size(); ++row) {
+    const auto found = incomplete.find(row);
     if (found == incomplete.end()) {
-      complete.push_back(static_cast<Eigen::Index>(place));
+      complete.push_back(static_cast<Eigen::Index>(row));
     } else {
-      computed.failures.push_back({.model = computed.models[place], .message = found->second});
+      computed.failures.push_back({.model = computed.models[row], .message = found->second});
     }
   }
   std::ranges::sort(computed.failures, {}, &ModelFailure::model);
@@ -169,8 +169,8 @@ ShapeIndex described(const SearchMethod& method, const Collection& collection, s
                                  files.size(), files.front().id, computed.failures.front().message));
   }
   ShapeIndex index;
-  for (const Eigen::Index place : complete) {
-    index.models.push_back(files[computed.models[static_cast<std::size_t>(place)]]);
+  for (const Eigen::Index row : complete) {
+    index.models.push_back(files[computed.models[static_cast<std::size_t>(row)]]);
   }
   for (const ModelFailure& failure : computed.failures) {
     index.failures.push_back(std::move(files[failure.model]));

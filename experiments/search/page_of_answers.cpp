@@ -58,11 +58,11 @@ class PageShapes {
   PageShapes(const OpenIndex& index, UpAxis up) : index_(&index), up_(up) {}
 
   std::size_t add_model(std::size_t model) {
-    const auto [place, is_new] = places_.try_emplace(model, shapes_.size());
-    if (!is_new) return place->second;
+    const auto [entry, is_new] = indices_.try_emplace(model, shapes_.size());
+    if (!is_new) return entry->second;
     const IndexedFile& file = index_->contents.models[model];
     shapes_.push_back({.name = file.id, .file = index_->collection.file(file.path)});
-    return place->second;
+    return entry->second;
   }
 
   std::size_t add_query(const SearchQuery& query) {
@@ -89,7 +89,7 @@ class PageShapes {
   const OpenIndex* index_;
   UpAxis up_;
   std::vector<SearchQuery> shapes_;
-  std::map<std::size_t, std::size_t> places_;  ///< per model
+  std::map<std::size_t, std::size_t> indices_;  ///< per model: index of its shape
 };
 
 }  // namespace

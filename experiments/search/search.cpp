@@ -133,8 +133,8 @@ int neighbours_for(const SearchMethod& method) { return neighbour_counts(method.
 void require_neighbours(OpenIndex& index, const RunControl& control, std::vector<std::string>& notes) {
   const int count = neighbours_for(index.method);
   const auto models = std::ssize(index.contents.models);
-  const auto wanted = std::min<Eigen::Index>(count, models - 1);
-  if (index.contents.nearest.indices.rows() == models && index.contents.nearest.indices.cols() == wanted) return;
+  const auto needed = std::min<Eigen::Index>(count, models - 1);
+  if (index.contents.nearest.indices.rows() == models && index.contents.nearest.indices.cols() == needed) return;
   index.contents.nearest = nearest_models_in_index(index.method, index.contents, count, control);
   write_index(index, notes);
 }

@@ -46,24 +46,24 @@ std::string why_not_searchable(const std::vector<SignatureConfiguration>& signat
   return "";
 }
 
-std::size_t named_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& wanted,
+std::size_t named_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& name,
                             const std::string& source) {
   std::vector<std::string> names;
   for (const SignatureConfiguration& one : signatures) names.push_back(one.name);
-  const auto found = std::ranges::find(names, wanted);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
-    throw InputError(fmt::format("{}: {}", source, unknown_word_message("signature", wanted, names)));
+    throw InputError(fmt::format("{}: {}", source, unknown_word_message("signature", name, names)));
   }
   const auto chosen = static_cast<std::size_t>(found - names.begin());
   const std::string why = why_not_searchable(signatures, chosen);
   if (why.empty()) return chosen;
-  throw InputError(fmt::format("{}: the signature \"{}\" is not suitable for searches: {}", source, wanted, why));
+  throw InputError(fmt::format("{}: the signature \"{}\" is not suitable for searches: {}", source, name, why));
 }
 
 /// Returns the signature of that name; for an empty name, the last suitable one.
-std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& wanted,
+std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& name,
                              const std::string& source) {
-  if (!wanted.empty()) return named_signature(signatures, wanted, source);
+  if (!name.empty()) return named_signature(signatures, name, source);
   for (std::size_t i = signatures.size(); i-- > 0;) {
     if (why_not_searchable(signatures, i).empty()) return i;
   }
@@ -71,11 +71,11 @@ std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatur
       "{}: all signatures are re-ranked or fused, which searches do not support; add one that is not", source));
 }
 
-/// Inserts the index of a signature, and those of the signatures that it is made from, into `wanted`.
+/// Inserts the index of a signature, and those of the signatures that it is made from, into `needed`.
 void add_with_parts(const std::vector<SignatureConfiguration>& signatures, std::size_t one,
-                    std::set<std::size_t>& wanted) {
-  if (!wanted.insert(one).second) return;
-  for (const std::size_t part : signatures[one].parts) add_with_parts(signatures, part, wanted);
+                    std::set<std::size_t>& needed) {
+  if (!needed.insert(one).second) return;
+  for (const std::size_t part : signatures[one].parts) add_with_parts(signatures, part, needed);
 }
 
 /// Returns the settings of the first diffusion of the signature, or defaults.
@@ -114,7 +114,7 @@ std::string SearchMethod::key() const {
   return sha256(json_text(depends_on));
 }
 
-SearchMethod search_method(Json document, const std::string& source, const std::string& wanted) {
+SearchMethod search_method(Json document, const std::string& source, const std::string& requested) {
   if (document.is_object()) {
     for (const char* key : {"perturbations", "evaluation", "protocol", "keep_distances"}) document.erase(key);
     document["dataset"] = {{"layout", "folders"}, {"root", "."}};
@@ -124,7 +124,7 @@ SearchMethod search_method(Json document, const std::string& source, const std::
   SearchMethod method;
   method.configuration = configuration_from_json(document, source, ".");
   std::vector<SignatureConfiguration>& signatures = method.configuration.signatures;
-  const std::size_t chosen = chosen_signature(signatures, wanted, source);
+  const std::size_t chosen = chosen_signature(signatures, requested, source);
   method.name = signatures[chosen].name;
   method.diffusion = diffusion_of(signatures, chosen);
 
@@ -133,12 +133,12 @@ SearchMethod search_method(Json document, const std::string& source, const std::
   const auto new_index = [&](std::size_t signature) {
     return static_cast<std::size_t>(std::distance(needed.begin(), needed.find(signature)));
   };
-  std::vector<SignatureConfiguration> kept;
+  std::vector<SignatureConfiguration> retained;
   for (const std::size_t i : needed) {
-    SignatureConfiguration& signature = kept.emplace_back(std::move(signatures[i]));
+    SignatureConfiguration& signature = retained.emplace_back(std::move(signatures[i]));
     for (std::size_t& part : signature.parts) part = new_index(part);
   }
-  signatures = std::move(kept);
+  signatures = std::move(retained);
   const std::size_t index = new_index(chosen);
   if (const auto& derived = signatures[index].derived) {
     method.terms = signatures[index].parts;

@@ -28,7 +28,7 @@ constexpr std::size_t header_size = format_line.size() + digits_of_sha256 + 1;
 /// The tables follow the other data, each at a multiple of this from the file's beginning: read where they are.
 constexpr std::size_t alignment = 64;
 
-constexpr std::size_t aligned(std::size_t place) { return (place + alignment - 1) / alignment * alignment; }
+constexpr std::size_t aligned(std::size_t offset) { return (offset + alignment - 1) / alignment * alignment; }
 
 std::size_t bytes_of(const IndexTable& table) {
   return static_cast<std::size_t>(table.rows * table.columns) * sizeof(float);
@@ -36,9 +36,9 @@ std::size_t bytes_of(const IndexTable& table) {
 
 }  // namespace
 
-IndexTable::IndexTable(Signatures own) : rows(own.rows()), columns(own.cols()) {
-  const auto kept = std::make_shared<const Signatures>(std::move(own));
-  entries = {kept, kept->data()};
+IndexTable::IndexTable(Signatures table) : rows(table.rows()), columns(table.cols()) {
+  const auto owned = std::make_shared<const Signatures>(std::move(table));
+  entries = {owned, owned->data()};
 }
 
 std::string encode_index(const ShapeIndex& index, const std::string& key) {
@@ -67,11 +67,11 @@ std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::strin
   std::string data;
   decoder.take(data);
   auto index = decode<ShapeIndex>(data);
-  std::size_t place = header_size + key.size() + sizeof(std::size_t) + data.size();
+  std::size_t offset = header_size + key.size() + sizeof(std::size_t) + data.size();
   for (IndexTable& table : index.tables) {
-    place = aligned(place);
-    table.entries = {file.memory, reinterpret_cast<const float*>(file.bytes.data() + place)};
-    place += bytes_of(table);
+    offset = aligned(offset);
+    table.entries = {file.memory, reinterpret_cast<const float*>(file.bytes.data() + offset)};
+    offset += bytes_of(table);
   }
   fault = IndexFault::none;
   return index;

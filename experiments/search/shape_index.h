@@ -32,7 +32,7 @@ struct IndexedFile {
 /// Table of signatures, one row per model, in memory or in a memory-mapped index file.
 struct IndexTable {
   IndexTable() = default;
-  explicit IndexTable(Signatures own);  ///< moves signatures to memory that the table owns
+  explicit IndexTable(Signatures table);  ///< moves signatures to memory that the table owns
 
   /// Returns a view of the signatures (models x features), valid during the lifetime of the table.
   [[nodiscard]] Eigen::Map<const Signatures> signatures() const { return {entries.get(), rows, columns}; }

@@ -327,15 +327,15 @@ PartOutcome run_part_of_segmentation(const SegmentationExperiment& experiment, c
   const SegmentationBenchmark benchmark = benchmark_of(experiment, context);
   std::vector<std::size_t> all(benchmark.models.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::vector<std::size_t> own = part.of(all);
+  const std::vector<std::size_t> shard = part.of(all);
   PartOutcome outcome{.all = all.size(), .noun = "shape"};
   with_threads(context.control, [&] {
     const bool stop = experiment.on_error == OnError::stop;
-    const std::vector<ModelFailure> failed = for_each_model(own, "shapes", stop, context.control, [&](std::size_t i) {
+    const std::vector<ModelFailure> failed = for_each_model(shard, "shapes", stop, context.control, [&](std::size_t i) {
       const SegmentationJob job(experiment, benchmark.models[i], i, context.cache);
     });
     if (stop) check_failures(failed, experiment, benchmark);
-    outcome.shapes = own.size() - failed.size();
+    outcome.shapes = shard.size() - failed.size();
     for (const ModelFailure& failure : failed) {
       outcome.left_out.push_back({.id = benchmark.models[failure.model].id, .message = failure.message});
     }

@@ -30,7 +30,7 @@ double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& w
     below += weights[i];
     if (weights[i] > 0 && below >= fraction * total) return values[i];
   }
-  return values[order.back()];  // rounding kept the sum short of the total
+  return values[order.back()];  // rounding made the sum less than the total
 }
 
 namespace {
@@ -46,7 +46,7 @@ const Shape& required_mesh(const Shape& shape) {
 }
 
 /// Returns the value of the reference nearest to each point.
-Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
+Eigen::VectorXd nearest_values(const Points& points, const LocatedValues& reference) {
   const Shape sites{.vertices = reference.points, .triangles = {}};
   const UnitFrame frame = unit_frame(sites);
   const TriangleBVH tree(in_unit_frame(sites, frame));
@@ -89,22 +89,22 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
           .percentile_90 = weighted_quantile(angles, counted, 0.9)};
 }
 
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
-                           double unit) {
-  std::vector<Eigen::Index> kept;
+LocatedValues located_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
+                             double unit) {
+  std::vector<Eigen::Index> valid;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i]) && samples.weights[i] > 0) kept.push_back(i);
+    if (std::isfinite(values[i]) && samples.weights[i] > 0) valid.push_back(i);
   }
-  return {.points = samples.points(kept, Eigen::all) * unit,
-          .values = values(kept) * unit_of(dimension, unit),
+  return {.points = samples.points(valid, Eigen::all) * unit,
+          .values = values(valid) * unit_of(dimension, unit),
           .dimension = dimension};
 }
 
-ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal) {
+ValueErrors value_errors(const LocatedValues& field, const LocatedValues& reference, double reference_diagonal) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (placed.values.size() == 0 || reference.values.size() == 0) return {none, none, none, none};
-  const Eigen::VectorXd expected = nearest_values(placed.points, reference);
-  const Eigen::VectorXd errors = (placed.values - expected).cwiseAbs();
+  if (field.values.size() == 0 || reference.values.size() == 0) return {none, none, none, none};
+  const Eigen::VectorXd expected = nearest_values(field.points, reference);
+  const Eigen::VectorXd errors = (field.values - expected).cwiseAbs();
   // Without an error, a value of 0 has no relative error either.
   const Eigen::VectorXd relative =
       errors.binaryExpr(expected, [](double error, double value) { return error == 0 ? 0 : error / std::abs(value); });

@@ -47,7 +47,7 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
                            const Eigen::VectorXd& weights, bool sided);
 
 /// Values of a field with the positions of their samples, in the units of the shape's file.
-struct PlacedValues {
+struct LocatedValues {
   Points points;                                      ///< positions of the samples, one per row
   Eigen::VectorXd values;                             ///< values of the field, one per point, all finite
   FieldDimension dimension = FieldDimension::length;  ///< dimension of the values, such as length or area
@@ -55,8 +55,8 @@ struct PlacedValues {
 
 /// Selects the samples with a finite value and a positive area and converts them to the units of the shape's file:
 /// positions are multiplied by `unit`, and values by unit_of(dimension, unit).
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
-                           double unit);
+LocatedValues located_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
+                             double unit);
 
 /// Errors of a field relative to a reference: unweighted quantiles over samples of |value - reference value|. The
 /// reference value is the value at the nearest sample of the reference.
@@ -70,6 +70,6 @@ struct ValueErrors {
 /// Computes the errors of field values relative to a reference, which must have the same units, position and dimension.
 /// `reference_diagonal` is the diagonal of the reference's bounding box. NaN if the field or the reference has no
 /// values. Runs in the calling TBB arena.
-ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal);
+ValueErrors value_errors(const LocatedValues& field, const LocatedValues& reference, double reference_diagonal);
 
 }  // namespace shapegauge

@@ -23,35 +23,36 @@ void compare_normals(const TrueNormals& truth, const PreparedShape& prepared, co
   const Points points = samples.points * std::sqrt(prepared.area);
   const bool sided = !is_cloud(prepared.shape) || prepared.shape.normals.rows() > 0;
   measurement.offset_normals = normal_errors(truth, points, estimated, samples.weights, true);
-  measurement.own_normals = normal_errors(truth, points, samples.normals, samples.weights, sided);
+  measurement.shape_normals = normal_errors(truth, points, samples.normals, samples.weights, sided);
 }
 
-/// Counts the samples of a field, and compares its values with those of the reference, if there is one. `own` receives
-/// the values of the reference itself.
+/// Counts the samples of a field, and compares its values with those of the reference, if there is one. `as_reference`
+/// receives the values if the shape is the reference itself.
 FieldMeasurement measure_field(const PreparedShape& prepared, const Samples& samples, const Field& field,
                                std::size_t index, const FieldValues& computed, const GroundTruth* truth,
-                               ReferenceShape* own) {
+                               ReferenceShape* as_reference) {
   FieldMeasurement measurement;
   measurement.samples = static_cast<std::size_t>(samples.points.rows());
   measurement.missing = static_cast<std::size_t>(computed.values.array().isNaN().count());
   measurement.build_seconds = computed.build_seconds;
   measurement.query_seconds = computed.query_seconds;
   if (truth == nullptr) return measurement;
-  const PlacedValues placed = placed_values(samples, computed.values, field.dimension, std::sqrt(prepared.area));
-  if (own != nullptr) own->values.push_back(placed);
-  measurement.errors = value_errors(placed, truth->reference->values[index], truth->diagonal);
+  const LocatedValues located = located_values(samples, computed.values, field.dimension, std::sqrt(prepared.area));
+  if (as_reference != nullptr) as_reference->values.push_back(located);
+  measurement.errors = value_errors(located, truth->reference->values[index], truth->diagonal);
   if (truth->normals && computed.normals.rows() > 0) {
     compare_normals(*truth->normals, prepared, samples, computed.normals, measurement);
   }
   return measurement;
 }
 
-/// Measures a perturbed shape. `own` is given for the reference itself: it becomes MeasuredShape::reference, with
-/// values.
+/// Measures a perturbed shape. `as_reference` has a value for the reference itself; it becomes
+/// MeasuredShape::reference, with values.
 MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape perturbed, std::span<const Field> fields,
-                            const GroundTruth* truth, std::optional<ReferenceShape> own, const RunControl& control) {
+                            const GroundTruth* truth, std::optional<ReferenceShape> as_reference,
+                            const RunControl& control) {
   MeasuredShape measured;
-  measured.reference = std::move(own);
+  measured.reference = std::move(as_reference);
   std::optional<GroundTruth> itself;
   if (measured.reference) truth = &itself.emplace(*measured.reference);
   Cache none;  // run times are those of computing
@@ -120,12 +121,13 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
     const double read_seconds = file_seconds + parsing.seconds();
     PerturbedShape perturbed =
         perturb_model(std::move(read), source.perturbations, comparison.seed, source.name, index);
-    std::optional<ReferenceShape> own;
+    std::optional<ReferenceShape> as_reference;
     if (is_compared_with) {
-      own.emplace(ReferenceShape{
+      as_reference.emplace(ReferenceShape{
           .key = shape, .vertices = perturbed.shape.vertices, .triangles = perturbed.shape.triangles, .values = {}});
     }
-    MeasuredShape computed = measure_shape(comparison, std::move(perturbed), fields, truth, std::move(own), control);
+    MeasuredShape computed =
+        measure_shape(comparison, std::move(perturbed), fields, truth, std::move(as_reference), control);
     computed.read_seconds = read_seconds;
     return computed;
   });

@@ -25,15 +25,15 @@ struct FieldMeasurement {
   double query_seconds = 0;                    ///< time to compute the values at the samples, in seconds
   std::optional<ValueErrors> errors;           ///< errors of the values; absent without a registered reference
   std::optional<NormalErrors> offset_normals;  ///< errors of normals that the field estimates; absent if it has none
-  std::optional<NormalErrors> own_normals;     ///< errors of the shape's own normals; absent if offset_normals is
+  std::optional<NormalErrors> shape_normals;   ///< errors of the shape's own normals; absent if offset_normals is
 };
 
 /// Reference of a comparison as stored in the cache: geometry and field values with which other shapes are compared.
 struct ReferenceShape {
-  std::string key;                   ///< cache key of the shape (shape_key())
-  Points vertices;                   ///< vertex positions after the perturbations
-  Triangles triangles;               ///< vertex indices of the triangles; none for a point cloud
-  std::vector<PlacedValues> values;  ///< per field of the comparison: values at the samples
+  std::string key;                    ///< cache key of the shape (shape_key())
+  Points vertices;                    ///< vertex positions after the perturbations
+  Triangles triangles;                ///< vertex indices of the triangles; none for a point cloud
+  std::vector<LocatedValues> values;  ///< per field of the comparison: values at the samples
 };
 
 /// Ground truth of a comparison, computed from a reference shape, which must outlive it.
@@ -65,8 +65,8 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
 SHAPEGAUGE_MEMBERS(ValueErrors, median, percentile_90, relative_median, relative_percentile_90)
 SHAPEGAUGE_MEMBERS(NormalErrors, mean, median, percentile_90)
 SHAPEGAUGE_MEMBERS(FieldMeasurement, samples, missing, build_seconds, query_seconds, errors, offset_normals,
-                   own_normals)
-SHAPEGAUGE_MEMBERS(PlacedValues, points, values, dimension)
+                   shape_normals)
+SHAPEGAUGE_MEMBERS(LocatedValues, points, values, dimension)
 SHAPEGAUGE_MEMBERS(ReferenceShape, key, vertices, triangles, values)
 /// Returns references to the members that the cache stores, for their encoding (codec.h).
 inline auto members(MeasuredShape& measured) {

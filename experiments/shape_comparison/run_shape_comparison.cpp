@@ -61,14 +61,14 @@ class Measuring {
     for (std::size_t i = 0; i < comparison_->shapes.size(); ++i) {
       if (std::ranges::find(failures, i, &ModelFailure::model) == failures.end()) usable.push_back(i);
     }
-    std::vector<std::size_t> own = part.of(usable);
+    std::vector<std::size_t> shard = part.of(usable);
     std::optional<GroundTruth> truth;
     if (comparison_->reference && comparison_->registered) {
       measure({*comparison_->reference}, "reference", nullptr);
-      std::erase(own, *comparison_->reference);
+      std::erase(shard, *comparison_->reference);
       truth.emplace(shapes.at(*comparison_->reference).reference.value());
     }
-    measure(own, "shapes", truth ? &*truth : nullptr);
+    measure(shard, "shapes", truth ? &*truth : nullptr);
   }
 
   std::map<std::size_t, MeasuredShape> shapes;  ///< by index

@@ -95,7 +95,7 @@ TextTable errors_table(const ShapeComparisonResults& results) {
 }
 
 /// Makes a table with a row for each shape and signature whose field estimates normals: NormalErrors of those and of
-/// the shape's own.
+/// the shape's normals.
 TextTable normals_table(const ShapeComparisonResults& results) {
   TextTable table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
@@ -103,10 +103,10 @@ TextTable normals_table(const ShapeComparisonResults& results) {
       .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);
-    if (!measured.offset_normals || !measured.own_normals) return;
+    if (!measured.offset_normals || !measured.shape_normals) return;
     row.push_back(std::to_string(measured.samples));
     append(row, *measured.offset_normals);
-    append(row, *measured.own_normals);
+    append(row, *measured.shape_normals);
     table.rows.push_back(std::move(row));
   });
   return table;

@@ -78,9 +78,9 @@ const Samples& CachedShape::samples(SamplePlan plan) {
   Opened& open = opened();
   // A cloud is sampled at its points for either site.
   if (is_cloud(open.prepared.shape) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
-  const auto [place, is_new] = open.samples.try_emplace(plan);
-  if (is_new) place->second = take_samples(open.prepared.shape, plan);
-  return place->second;
+  const auto [entry, is_new] = open.samples.try_emplace(plan);
+  if (is_new) entry->second = take_samples(open.prepared.shape, plan);
+  return entry->second;
 }
 
 FieldValues CachedShape::compute(const Field& field) {

@@ -205,9 +205,9 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
   const std::vector<Field> fields = distinct_fields(configuration.signatures);
   std::vector<ModelFailure> failures = check_models(dataset);
   stop_on_failures(dataset, failures, configuration.on_error);
-  const std::vector<std::size_t> own = part.of(models_without(failures, dataset.models.size()));
+  const std::vector<std::size_t> shard = part.of(models_without(failures, dataset.models.size()));
   std::vector<std::size_t> incomplete;
-  failures = describe_each(dataset, own, configuration, fields, context,
+  failures = describe_each(dataset, shard, configuration, fields, context,
                            [&](std::size_t model, const ModelDescription& description) {
                              const auto errors = signature_errors(description, configuration.signatures, fields);
                              if (!std::ranges::all_of(errors, &std::string::empty)) incomplete.push_back(model);
@@ -215,7 +215,7 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
   stop_on_failures(dataset, failures, configuration.on_error);
   for (const ModelFailure& failure : failures) incomplete.push_back(failure.model);
   for (const std::size_t model : incomplete) note_failure(dataset, model, configuration, fields, context.cache);
-  PartOutcome outcome{.shapes = own.size() - failures.size(), .all = dataset.models.size()};
+  PartOutcome outcome{.shapes = shard.size() - failures.size(), .all = dataset.models.size()};
   for (const ModelFailure& failure : failures) {
     const Model& model = dataset.models[failure.model];
     outcome.left_out.push_back({.id = model.id, .message = failure.message, .file = model.file});

@@ -68,14 +68,14 @@ std::vector<std::string> signature_errors(const ModelDescription& model,
 
 bool is_pictured(const Field& field, const Configuration& configuration) {
   const ReportConfiguration& report = configuration.report;
-  if (!report.wanted || !report.pictures) return false;
+  if (!report.enabled || !report.pictures) return false;
   return field.settings == pictured_field(configuration.signatures[report.pictured_signature])->settings;
 }
 
 std::vector<std::size_t> viewed_fields(std::span<const Field> fields, const Configuration& configuration) {
   std::vector<std::size_t> viewed;
   const ReportConfiguration& report = configuration.report;
-  if (!report.wanted || !report.pictures || !report.views) return viewed;
+  if (!report.enabled || !report.pictures || !report.views) return viewed;
   for (const bool pictured : {true, false}) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (is_pictured(fields[i], configuration) != pictured) continue;
@@ -114,10 +114,10 @@ FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd
                                .seconds = values.seconds};
   for (std::size_t i = 0; i < signatures.size(); ++i) {
     if (!signatures[i].field || signatures[i].field->settings != field.settings) continue;
-    const HistogramConfiguration& wanted = signatures[i].histogram;
-    if (wanted.range == HistogramRange::dataset) continue;
-    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : values.range;
-    features[i].features = histogram({.values = values.values, .weights = weights}, range, wanted.options);
+    const HistogramConfiguration& settings = signatures[i].histogram;
+    if (settings.range == HistogramRange::dataset) continue;
+    const Interval& range = settings.range == HistogramRange::fixed ? settings.fixed : values.range;
+    features[i].features = histogram({.values = values.values, .weights = weights}, range, settings.options);
   }
   if (is_for_all_shapes(field, signatures)) {
     description.values = values.values.cast<float>();

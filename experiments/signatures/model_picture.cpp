@@ -27,12 +27,12 @@ std::string model_picture(const Shape& shape, const Samples& samples, const Eige
                           const PictureOptions& options, const Eigen::Vector3d& up) {
   const double width = options.range.high - options.range.low;
   // Below the range the root would be NaN, which represents a missing value.
-  const auto place_of = [&](double value) {
+  const auto colour_position = [&](double value) {
     const double part = (value - options.range.low) / width;
     return part < 0 ? 0 : std::sqrt(part);
   };
-  const Eigen::VectorXd place = values.unaryExpr(place_of);
-  const std::vector<Colour> colours = colours_of(place, 0, 1);
+  const Eigen::VectorXd positions = values.unaryExpr(colour_position);
+  const std::vector<Colour> colours = colours_of(positions, 0, 1);
   const RenderOptions view{
       .width = options.width, .height = options.height, .up = up, .rays_per_side = 2, .transparent = true};
   // The samples of a cloud may also be a subset of its points.

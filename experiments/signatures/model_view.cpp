@@ -19,11 +19,11 @@ Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits) {
 std::string model_view(const Shape& shape, std::span<const SampledField> fields, const ShapeDrawing& drawing) {
   ShapeView view{
       .name = "", .shape = coarse_shape(shape, drawing.faces), .site = SampleSite::vertices, .up = drawing.up};
-  const Samples places = sample_shape(view.shape, view.site);
+  const Samples vertex_samples = sample_shape(view.shape, view.site);
   std::map<const Samples*, ValueTransfer> carried;  // most fields have the same samples
   for (const SampledField& field : fields) {
     const auto range = central_range({.values = field.values, .weights = field.samples.weights});
-    const ValueTransfer& of_samples = carried.try_emplace(&field.samples, field.samples, places).first->second;
+    const ValueTransfer& of_samples = carried.try_emplace(&field.samples, field.samples, vertex_samples).first->second;
     view.fields.push_back(
         {.name = "", .values = of_samples.means(field.values), .colours = range.value_or(Interval{})});
   }

@@ -46,28 +46,28 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
   return table;
 }
 
-/// Returns a table with the rows of `some` at these places and NaN elsewhere; without columns if there are none.
-Signatures rows_at_places(const Signatures& some, std::span<const Eigen::Index> places, std::size_t all) {
+/// Returns a table with the rows of `compact` at these indices and NaN elsewhere; without columns if there are none.
+Signatures expand_rows(const Signatures& compact, std::span<const Eigen::Index> indices, std::size_t all) {
   const auto rows = static_cast<Eigen::Index>(all);
-  if (some.rows() == rows) return some;
+  if (compact.rows() == rows) return compact;
   Signatures table =
-      Signatures::Constant(rows, places.empty() ? 0 : some.cols(), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < places.size(); ++i) table.row(places[i]) = some.row(static_cast<Eigen::Index>(i));
+      Signatures::Constant(rows, indices.empty() ? 0 : compact.cols(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < indices.size(); ++i) table.row(indices[i]) = compact.row(static_cast<Eigen::Index>(i));
   return table;
 }
 
 /// Returns, for each signature, the indices of the models that have it.
-std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const ModelDescription*>& models,
-                                                   const std::vector<SignatureConfiguration>& signatures,
-                                                   std::span<const Field> fields) {
-  std::vector<std::vector<Eigen::Index>> places(signatures.size());
+std::vector<std::vector<Eigen::Index>> models_per_signature(const std::vector<const ModelDescription*>& models,
+                                                            const std::vector<SignatureConfiguration>& signatures,
+                                                            std::span<const Field> fields) {
+  std::vector<std::vector<Eigen::Index>> indices(signatures.size());
   for (std::size_t model = 0; model < models.size(); ++model) {
     const std::vector<std::string> errors = signature_errors(*models[model], signatures, fields);
     for (std::size_t i = 0; i < signatures.size(); ++i) {
-      if (errors[i].empty()) places[i].push_back(static_cast<Eigen::Index>(model));
+      if (errors[i].empty()) indices[i].push_back(static_cast<Eigen::Index>(model));
     }
   }
-  return places;
+  return indices;
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ NamedDistance distance_between(const SignatureConfiguration& signature, const Co
 
 DistanceMatrix distances_through_cache(const Signatures& signatures, const NamedDistance& distance, Cache& cache) {
   const auto compute = [&] { return distance_matrix(signatures, distance); };
-  const bool kept = !cache.folder().empty() && signatures.rows() <= max_models_of_cached_distances;
-  return kept ? cache.get(EntryKind::distances, distances_key(signatures, distance.name), compute) : compute();
+  const bool cached = !cache.folder().empty() && signatures.rows() <= max_models_of_cached_distances;
+  return cached ? cache.get(EntryKind::distances, distances_key(signatures, distance.name), compute) : compute();
 }
 
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
@@ -95,31 +95,31 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
                                             std::span<const Interval> data_set_ranges) {
   std::vector<Signatures> tables(signatures.size());
   if (models.empty()) return tables;
-  const std::vector<std::vector<Eigen::Index>> places = places_with(models, signatures, fields);
+  const std::vector<std::vector<Eigen::Index>> indices = models_per_signature(models, signatures, fields);
   const auto table_of = [&](std::size_t i) {
     const SignatureConfiguration& signature = signatures[i];
     if (!signature.field && !signature.descriptor) {
       std::vector<Signatures> parts;
-      for (const std::size_t part : signature.parts) parts.push_back(tables[part](places[i], Eigen::all));
+      for (const std::size_t part : signature.parts) parts.push_back(tables[part](indices[i], Eigen::all));
       return concatenate(parts);
     }
     std::vector<const ModelDescription*> with;
-    for (const Eigen::Index place : places[i]) with.push_back(models[static_cast<std::size_t>(place)]);
+    for (const Eigen::Index model : indices[i]) with.push_back(models[static_cast<std::size_t>(model)]);
     if (!signature.field || signature.histogram.range != HistogramRange::dataset) return features_of(with, i);
     const std::size_t field = index_of(fields, *signature.field);
     return histograms_of(with, field, data_set_ranges[field], signature.histogram.options);
   };
   for (const std::size_t i : computation_order(signatures)) {
     if (signatures[i].derived) continue;
-    tables[i] = rows_at_places(places[i].empty() ? Signatures() : table_of(i), places[i], models.size());
+    tables[i] = expand_rows(indices[i].empty() ? Signatures() : table_of(i), indices[i], models.size());
   }
   return tables;
 }
 
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
-                                       const HistogramConfiguration& wanted, std::size_t field) {
-  if (wanted.range == HistogramRange::fixed) return std::vector(models.size(), wanted.fixed);
-  if (wanted.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
+                                       const HistogramConfiguration& settings, std::size_t field) {
+  if (settings.range == HistogramRange::fixed) return std::vector(models.size(), settings.fixed);
+  if (settings.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
   std::vector<Interval> ranges;
   ranges.reserve(models.size());
   for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);

@@ -41,9 +41,9 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges);
 
-/// Returns, per model, the range of its histogram. `wanted` are the settings of the histogram; `field` is the index of
-/// its field.
+/// Returns, per model, the range of its histogram. `settings` are the settings of the histogram; `field` is the index
+/// of its field.
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
-                                       const HistogramConfiguration& wanted, std::size_t field);
+                                       const HistogramConfiguration& settings, std::size_t field);
 
 }  // namespace shapegauge

@@ -5,12 +5,12 @@ import { ramp } from './constants.mjs';
 import { make } from './elements.mjs';
 import { number } from './words.mjs';
 
-// An SVG drawing in a place, and the area within its margins.
-export function drawing(place, { width, height, left, right, top, bottom, label }) {
+// An SVG drawing in a container, and the area within its margins.
+export function drawing(container, { width, height, left, right, top, bottom, label }) {
   const svg = d3.create('svg').attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height)
     .attr('role', 'img').attr('aria-label', label);
   const area = svg.append('g').attr('transform', `translate(${left},${top})`);
-  place.replaceChildren(svg.node());
+  container.replaceChildren(svg.node());
   return { svg, area, width: width - left - right, height: height - top - bottom };
 }
 

@@ -3,8 +3,8 @@
 
 const delay = 300; // milliseconds; browsers refuse to change the address at every move of the pointer
 
-const given = typeof location !== 'undefined' && location.hash.includes('=') ? location.hash.slice(1) : '';
-const state = new URLSearchParams(given);
+const fragment = typeof location !== 'undefined' && location.hash.includes('=') ? location.hash.slice(1) : '';
+const state = new URLSearchParams(fragment);
 let timer = null;
 
 export const linked = (key) => state.get(key);

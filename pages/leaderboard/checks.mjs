@@ -6,21 +6,21 @@ import { counted } from '../common/words.mjs';
 import { sortableTable } from '../report/sortable_table.mjs';
 
 export function drawChecks({ methods, refused }) {
-  const place = byId('notes-text');
-  place.append(make('h3', {}, 'Refused'));
+  const container = byId('notes-text');
+  container.append(make('h3', {}, 'Refused'));
   if (refused.length) {
     const columns = [{ title: 'Submission', text: ([file]) => file },
       { title: 'Reason', text: ([, reason]) => reason }];
     const table = make('div', { class: 'wide', id: 'refused-table' });
     sortableTable(table, { caption: counted(refused.length, 'submission'), columns, rows: refused });
-    place.append(table);
+    container.append(table);
   } else {
-    place.append(make('p', {}, 'No submission was refused.'));
+    container.append(make('p', {}, 'No submission was refused.'));
   }
-  place.append(make('h3', {}, 'Remarks'));
+  container.append(make('h3', {}, 'Remarks'));
   const items = remarksOf(methods)
     .map(({ warning, names }) => make('li', {}, make('b', {}, names.join(', ')), `: ${warning}`));
-  place.append(items.length ? make('ul', { class: 'notes' }, ...items) : make('p', {}, 'Nothing is odd.'));
+  container.append(items.length ? make('ul', { class: 'notes' }, ...items) : make('p', {}, 'Nothing is odd.'));
 }
 
 // Each warning once, with the methods that it is about.

@@ -25,10 +25,10 @@ function drawIntervals(state) {
   const groups = groupsOf(ranking.map((index) => standings[index].ranks[1]));
   stamp('intervals', [`averages of ${measure}`, protocolWords, averageWords, 'in percent'],
     'Methods beside one bar do not differ significantly');
-  const place = byId('intervals-chart');
-  const whole = widthIn(place, 1000);
+  const container = byId('intervals-chart');
+  const whole = widthIn(container, 1000);
   const left = Math.min(240, 0.4 * whole); // for names
-  const { svg, area, width, height } = drawing(place, {
+  const { svg, area, width, height } = drawing(container, {
     width: whole, height: ranking.length * step + 74, left, right: 24 + column * groups.length, top: 30,
     bottom: 44, label: `${measure} with intervals and groups, ${protocolWords}, ${averageWords}`,
   });
@@ -43,8 +43,8 @@ function drawIntervals(state) {
   ranking.forEach((index, position) => drawRow(area, state, { index, position, x, left, width }));
   const named = (number) => (state.chosen.average === 'macro' ? letterOf(number).toUpperCase() : letterOf(number));
   groups.forEach((group, number) =>
-    drawGroup(area, group, { place: width + 18 + number * column, name: named(number) }));
-  place.append(saveButton(svg.node(), `intervals_${measure}_${state.chosen.average}`));
+    drawGroup(area, group, { lineX: width + 18 + number * column, name: named(number) }));
+  container.append(saveButton(svg.node(), `intervals_${measure}_${state.chosen.average}`));
 }
 
 function drawRow(area, state, { index, position, x, left, width }) {
@@ -68,8 +68,8 @@ function drawRow(area, state, { index, position, x, left, width }) {
   row.on('pointerleave', tooltip.hide);
 }
 
-function drawGroup(area, { first, last }, { place, name }) {
-  area.append('line').attr('class', 'group').attr('x1', place).attr('x2', place)
+function drawGroup(area, { first, last }, { lineX, name }) {
+  area.append('line').attr('class', 'group').attr('x1', lineX).attr('x2', lineX)
     .attr('y1', first * step + 6).attr('y2', (last + 1) * step - 6);
-  area.append('text').attr('x', place).attr('y', -8).attr('text-anchor', 'middle').text(name);
+  area.append('text').attr('x', lineX).attr('y', -8).attr('text-anchor', 'middle').text(name);
 }

@@ -20,7 +20,7 @@ export function nameSpace(whole) {
 }
 
 // Where the names stand: the better half on the left, the others on the right, the outermost at the bottom of each.
-export function namePlaces(count) {
+export function nameSlots(count) {
   const half = Math.ceil(count / 2);
   return Array.from({ length: count }, (_, position) => (position < half ?
     { left: true, line: position } : { left: false, line: count - 1 - position }));
@@ -38,10 +38,10 @@ function drawCriticalDifference(state) {
   stamp('difference', words, table.words, 'A bar joins methods that do not differ significantly');
   const bars = table.groups.filter(([first, last]) => last > first);
   const names = Math.ceil(methods.length / 2);
-  const place = byId('difference-chart');
-  const whole = widthIn(place, 1000);
+  const container = byId('difference-chart');
+  const whole = widthIn(container, 1000);
   const { side, letters } = nameSpace(whole);
-  const { svg, area, width } = drawing(place, {
+  const { svg, area, width } = drawing(container, {
     width: whole, height: 92 + bars.length * bar + names * step, left: side, right: side, top: 58,
     bottom: 10, label: `Critical difference of mean ranks, ${words.join(', ')}`,
   });
@@ -50,8 +50,8 @@ function drawCriticalDifference(state) {
   bars.forEach(([first, last], line) => drawBar(area, x, table, { first, last }, 14 + line * bar));
   const below = 26 + bars.length * bar;
   const space = { below, width, letters };
-  namePlaces(methods.length).forEach((at, position) => drawName(area, x, state, { ...at, ...space, position }));
-  place.append(saveButton(svg.node(), `critical_difference_${state.measure}`));
+  nameSlots(methods.length).forEach((at, position) => drawName(area, x, state, { ...at, ...space, position }));
+  container.append(saveButton(svg.node(), `critical_difference_${state.measure}`));
 }
 
 // The scale of ranks, and above it the length of the critical difference.

@@ -78,9 +78,9 @@ export function drawDatasets({ datasets, failures }) {
   stamp('datasets', [counted(datasets.length, 'data set')], 'A name leads to the report of the data set');
   sortableTable(byId('datasets-table'), { caption: 'Data sets', columns, rows: datasets });
   if (failures.length === 0) return;
-  const place = make('div', { class: 'wide', id: 'failures-table' });
-  sortableTable(place, { caption: 'Left out', rows: failures,
+  const container = make('div', { class: 'wide', id: 'failures-table' });
+  sortableTable(container, { caption: 'Left out', rows: failures,
     columns: [{ title: 'Name', text: ([name]) => name }, { title: 'Reason', text: ([, reason]) => reason }] });
   byId('failures').append(make('h3', {}, 'Left out'),
-    make('p', {}, 'These could not be used; all figures are without them.'), place);
+    make('p', {}, 'These could not be used; all figures are without them.'), container);
 }

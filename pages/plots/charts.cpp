@@ -36,7 +36,7 @@ Colour ink() { return page_colour("ink"); }
 void draw_title(Drawing& drawing, const std::string& title) {
   if (title.empty()) return;
   drawing.text({.text = title,
-                .place = {drawing.width / 2, 16},
+                .position = {drawing.width / 2, 16},
                 .size = title_size,
                 .colour = ink(),
                 .anchor = TextAnchor::middle,
@@ -60,14 +60,14 @@ void draw_x_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axi
     if (grid) drawing.line({x, frame.top}, {x, frame.bottom()}, page_colour("grid"), 0.7);
     drawing.line({x, frame.bottom()}, {x, frame.bottom() + 4}, ink(), 0.8);
     drawing.text({.text = labels[i],
-                  .place = {x, frame.bottom() + 15},
+                  .position = {x, frame.bottom() + 15},
                   .size = font_size,
                   .colour = ink(),
                   .anchor = TextAnchor::middle});
   }
   drawing.line({frame.left, frame.bottom()}, {frame.right(), frame.bottom()}, ink(), 0.8);
   drawing.text({.text = axis.label,
-                .place = {frame.left + frame.width / 2, frame.bottom() + 31},
+                .position = {frame.left + frame.width / 2, frame.bottom() + 31},
                 .colour = ink(),
                 .anchor = TextAnchor::middle});
 }
@@ -80,14 +80,14 @@ void draw_y_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axi
     drawing.line({frame.left, y}, {frame.right(), y}, page_colour("grid"), 0.7);
     drawing.line({frame.left - 4, y}, {frame.left, y}, ink(), 0.8);
     drawing.text({.text = labels[i],
-                  .place = {frame.left - 7, y + 3.5},
+                  .position = {frame.left - 7, y + 3.5},
                   .size = font_size,
                   .colour = ink(),
                   .anchor = TextAnchor::end});
   }
   drawing.line({frame.left, frame.top}, {frame.left, frame.bottom()}, ink(), 0.8);
   drawing.text({.text = axis.label,
-                .place = {13, frame.top + frame.height / 2},
+                .position = {13, frame.top + frame.height / 2},
                 .colour = ink(),
                 .anchor = TextAnchor::middle,
                 .upwards = true});
@@ -124,7 +124,7 @@ class Legend {
       } else {
         drawing.rectangle({x + swatch / 2 - 5, y - 8}, {10, 9}, look.colour);
       }
-      drawing.text({.text = names_[i], .place = {x + swatch + 5, y}, .size = font_size, .colour = ink()});
+      drawing.text({.text = names_[i], .position = {x + swatch + 5, y}, .size = font_size, .colour = ink()});
     }
   }
 
@@ -156,8 +156,8 @@ ChartFrame frame_of(Drawing& drawing, const std::string& title, const ChartAxis&
   return frame;
 }
 
-double nice_step(double range, std::size_t wanted) {
-  const double rough = range / static_cast<double>(wanted);
+double nice_step(double range, std::size_t target_count) {
+  const double rough = range / static_cast<double>(target_count);
   const double power = std::pow(10, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (rough <= factor * power * (1 + 1e-9)) return factor * power;
@@ -165,14 +165,14 @@ double nice_step(double range, std::size_t wanted) {
   return 10 * power;
 }
 
-std::vector<double> decade_ticks(const ChartAxis& axis, std::size_t wanted) {
+std::vector<double> decade_ticks(const ChartAxis& axis, std::size_t target_count) {
   const std::vector<double> few{1};
   const std::vector<double> many{1, 2, 5};
   const double decades = std::log10(axis.high / axis.low);
   std::vector<double> ticks;
   for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= std::ceil(std::log10(axis.high));
        ++power) {
-    for (const double factor : 3 * decades <= static_cast<double>(wanted) + 1 ? many : few) {
+    for (const double factor : 3 * decades <= static_cast<double>(target_count) + 1 ? many : few) {
       const double tick = factor * std::pow(10, power);
       if (tick >= axis.low * (1 - 1e-9) && tick <= axis.high * (1 + 1e-9)) ticks.push_back(tick);
     }
@@ -222,7 +222,7 @@ void draw_mark(Drawing& drawing, const ChartFrame& frame, const HistogramChart& 
                 .dashes = {4, 2}});
   const bool at_right = x > frame.left + frame.width / 2;
   drawing.text({.text = chart.mark_label,
-                .place = {x + (at_right ? -4 : 4), frame.top + 10},
+                .position = {x + (at_right ? -4 : 4), frame.top + 10},
                 .size = font_size,
                 .colour = page_colour("wrong"),
                 .anchor = at_right ? TextAnchor::end : TextAnchor::start});
@@ -239,21 +239,21 @@ MethodLook method_look(std::size_t index) {
   return look;
 }
 
-void draw_symbol(Drawing& drawing, DrawingPoint place, const MethodLook& look) {
+void draw_symbol(Drawing& drawing, DrawingPoint centre, const MethodLook& look) {
   constexpr double size = 3;
   const auto polygon = [&](int corners, double first, double inner) {
     DrawnPath path{.points = {}, .closed = true, .fill = look.colour};
     for (int k = 0; k < corners; ++k) {
       const double angle = 2 * std::numbers::pi * k / corners + first;
       const double radius = k % 2 == 1 ? inner : size;
-      path.points.push_back({place[0] + radius * std::sin(angle), place[1] - radius * std::cos(angle)});
+      path.points.push_back({centre[0] + radius * std::sin(angle), centre[1] - radius * std::cos(angle)});
     }
     drawing.path(std::move(path));
   };
   const auto cross = [&](int arms) {
     for (int k = 0; k < arms; ++k) {
       const double angle = 2 * std::numbers::pi * k / arms;
-      drawing.line(place, {place[0] + 1.3 * size * std::sin(angle), place[1] - 1.3 * size * std::cos(angle)},
+      drawing.line(centre, {centre[0] + 1.3 * size * std::sin(angle), centre[1] - 1.3 * size * std::cos(angle)},
                    look.colour, 1.8);
     }
   };
@@ -281,10 +281,10 @@ double ChartAxis::part(double value) const {
   return (value - low) / (high - low);
 }
 
-std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t wanted) {
+std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t target_count) {
   if (!(axis.high > axis.low) || !std::isfinite(axis.high - axis.low)) return {axis.low};
-  if (axis.logarithmic && axis.high > 10 * axis.low) return decade_ticks(axis, wanted);
-  const double step = nice_step(axis.high - axis.low, wanted);
+  if (axis.logarithmic && axis.high > 10 * axis.low) return decade_ticks(axis, target_count);
+  const double step = nice_step(axis.high - axis.low, target_count);
   std::vector<double> ticks;
   for (double k = std::ceil(axis.low / step - 1e-9); k * step <= axis.high + 1e-9 * step; ++k)
     ticks.push_back(k * step);
@@ -345,7 +345,7 @@ Drawing draw_chart(const BarChart& chart) {
   for (std::size_t group = 0; group < chart.groups.size(); ++group) {
     const double top = frame.top + gap + (group_height + gap) * static_cast<double>(group);
     drawing.text({.text = chart.groups[group],
-                  .place = {frame.left - 6, top + group_height / 2 + 3.5},
+                  .position = {frame.left - 6, top + group_height / 2 + 3.5},
                   .size = font_size,
                   .colour = ink(),
                   .anchor = TextAnchor::end});
@@ -389,7 +389,7 @@ Drawing draw_chart(const ColourBar& bar) {
   const std::vector<std::string> labels = tick_labels(ticks);
   const double room = std::max(width + 10 + widest(labels), estimated_text_width(bar.axis.label, font_size));
   Drawing drawing{.width = room + 8, .height = bar.height + top + 8, .elements = {}};
-  drawing.text({.text = bar.axis.label, .place = {0, 10}, .size = font_size, .colour = ink()});
+  drawing.text({.text = bar.axis.label, .position = {0, 10}, .size = font_size, .colour = ink()});
   for (int k = 0; k < steps; ++k) {
     // Steps overlap to avoid visible seams.
     const double from = bar.height * (1 - (k + 1.0) / steps);
@@ -402,7 +402,7 @@ Drawing draw_chart(const ColourBar& bar) {
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double y = top + bar.height * (1 - bar.axis.part(ticks[i]));
     drawing.line({width, y}, {width + 4, y}, ink(), 0.8);
-    drawing.text({.text = labels[i], .place = {width + 7, y + 3.5}, .size = font_size, .colour = ink()});
+    drawing.text({.text = labels[i], .position = {width + 7, y + 3.5}, .size = font_size, .colour = ink()});
   }
   return drawing;
 }

@@ -19,8 +19,8 @@ struct MethodLook {
 
 MethodLook method_look(std::size_t index);  ///< returns colour, dashes and symbol of the method with this index
 
-/// Adds the symbol of a method (MethodLook::sign) to a drawing, centred at the point `place`.
-void draw_symbol(Drawing& drawing, DrawingPoint place, const MethodLook& look);
+/// Adds the symbol of a method (MethodLook::sign) to a drawing, centred at `centre`.
+void draw_symbol(Drawing& drawing, DrawingPoint centre, const MethodLook& look);
 
 /// Axis of a chart: its label, range of values and scale.
 struct ChartAxis {
@@ -33,9 +33,9 @@ struct ChartAxis {
   [[nodiscard]] double part(double value) const;
 };
 
-/// Returns about `wanted` round values for the ticks of an axis: multiples of 1, 2 or 5 times a power of ten. On a
-/// logarithmic axis of more than a decade, the powers of ten, with 2 and 5 times these if there is room.
-std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t wanted = 6);
+/// Returns about `target_count` round values for the ticks of an axis: multiples of 1, 2 or 5 times a power of ten. On
+/// a logarithmic axis of more than a decade, the powers of ten, with 2 and 5 times these if there is room.
+std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t target_count = 6);
 
 /// Formats tick values with the fewest significant digits, at least 4, whose rounding error is at most 1 % of the
 /// distance between ticks.

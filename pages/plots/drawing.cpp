@@ -68,8 +68,8 @@ std::string svg_of(const DrawnPath& path) {
 
 std::string svg_of(const DrawnText& text) {
   static constexpr std::array<std::string_view, 3> anchors{"start", "middle", "end"};
-  const std::string x = coordinate(text.place[0]);
-  const std::string y = coordinate(text.place[1]);
+  const std::string x = coordinate(text.position[0]);
+  const std::string y = coordinate(text.position[1]);
   return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n", x, y,
                      coordinate(text.size), css_colour(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
                      text.bold ? " font-weight=\"bold\"" : "",
@@ -114,7 +114,7 @@ void draw(cairo_t* context, const DrawnText& text) {
   cairo_text_extents(context, text.text.c_str(), &extents);
   const double part = text.anchor == TextAnchor::start ? 0 : text.anchor == TextAnchor::middle ? 0.5 : 1;
   cairo_save(context);
-  cairo_translate(context, text.place[0], text.place[1]);
+  cairo_translate(context, text.position[0], text.position[1]);
   if (text.upwards) cairo_rotate(context, -std::numbers::pi / 2);
   cairo_move_to(context, -part * extents.x_advance, 0);
   set_colour(context, text.colour, 1);

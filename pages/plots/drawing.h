@@ -27,16 +27,16 @@ struct DrawnPath {
   double opacity = 1;                 ///< opacity of fill and stroke, from 0 (invisible) to 1
 };
 
-/// Point of a line of text that is at its position (DrawnText::place).
+/// Point of a line of text that is at its position (DrawnText::position).
 enum class TextAnchor { start, middle, end };
 
 /// Line of text, positioned on the baseline at its start, middle or end.
 struct DrawnText {
   std::string text;                       ///< one line of text in UTF-8
-  DrawingPoint place;                     ///< position of the anchor, on the baseline
+  DrawingPoint position;                  ///< position of the anchor, on the baseline
   double size = 11;                       ///< font size in points; the font is sans-serif
   Colour colour = {28, 34, 39};           ///< colour of the text
-  TextAnchor anchor = TextAnchor::start;  ///< point of the text at `place`
+  TextAnchor anchor = TextAnchor::start;  ///< point of the text at `position`
   bool upwards = false;                   ///< true for text rotated to run from the bottom up
   bool bold = false;                      ///< true for a bold font
 };

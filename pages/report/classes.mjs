@@ -50,9 +50,9 @@ function drawClasses(state, order) {
     names: evaluation.classes.map((label) => report.classes[label]),
     label: `${measure} by class, ${classWords[0]}`,
   };
-  const place = byId('classes-chart');
-  const svg = crowded ? drawCells(place, chart) : drawBars(place, chart);
-  place.append(saveButton(svg.node(), `classes_${measure}_${evaluation.protocol}`));
+  const container = byId('classes-chart');
+  const svg = crowded ? drawCells(container, chart) : drawBars(container, chart);
+  container.append(saveButton(svg.node(), `classes_${measure}_${evaluation.protocol}`));
   drawClassTable(chart);
 }
 
@@ -71,13 +71,13 @@ function classRow(area, position, { state, measure, names }, { top, width, heigh
 }
 
 // For no more methods than there are colours.
-function drawBars(place, chart) {
+function drawBars(container, chart) {
   const { state, measure, rows, label } = chart;
   const shown = state.visibleMethods;
   const bar = shown.length > 3 ? 6 : 9;
   const step = Math.max(16, bar * shown.length + 8);
-  const { svg, area, width, height } = drawing(place, {
-    width: widthIn(place, 1000), height: rows.length * step + 46, left, right: 20, top: 6, bottom: 40, label,
+  const { svg, area, width, height } = drawing(container, {
+    width: widthIn(container, 1000), height: rows.length * step + 46, left, right: 20, top: 6, bottom: 40, label,
   });
   const x = d3.scaleLinear([0, 100 * state.highest], [0, width]);
   const below = `translate(0,${height})`;
@@ -98,14 +98,14 @@ function drawBars(place, chart) {
 }
 
 // For more: one row per class, one column per method, the values in colour from the lowest shown to the highest.
-function drawCells(place, chart) {
+function drawCells(container, chart) {
   const { state, rows, label } = chart;
   const shown = state.visibleMethods;
   const step = 21;
   const names = shown.map((index) => shortened(state.report.methods[index].name, 30));
   const space = 16 + 6.6 * Math.max(...names.map((name) => name.length));
-  const { svg, area, width } = drawing(place, {
-    width: widthIn(place, 1110), height: rows.length * step + 0.87 * space + 4, left,
+  const { svg, area, width } = drawing(container, {
+    width: widthIn(container, 1110), height: rows.length * step + 0.87 * space + 4, left,
     right: Math.min(100, 0.5 * space), top: 0.87 * space, bottom: 4, label,
   });
   const cell = Math.min(64, width / shown.length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The models in the plane, the nearer the more alike: an embedding of a method's distances.
+// The models in the plane, the nearer the more similar: an embedding of a method's distances.
 
 import { drawing } from '../common/chart.mjs';
 import { byId } from '../common/elements.mjs';
@@ -20,21 +20,21 @@ export function showMap(state) {
   return draw;
 }
 
-// The models that have a place: { model, x, y }. map: places in the order of the heat map.
-export const placedModels = (map, order) => order
-  .map((model, position) => ({ model, x: map[position][0], y: map[position][1] })).filter(({ x }) => x !== null);
+// The models that have a position: { model, x, y }. map: positions in the order of the heat map.
+export const modelPoints = (map, order) => order
+  .map((model, index) => ({ model, x: map[index][0], y: map[index][1] })).filter(({ x }) => x !== null);
 
-// The mean place of each class: { label, x, y }.
-export function classMiddles(placed, labels) {
+// The mean position of each class: { label, x, y }.
+export function classMiddles(points, labels) {
   const byLabel = new Map();
-  for (const one of placed) byLabel.set(labels[one.model], [...(byLabel.get(labels[one.model]) || []), one]);
+  for (const one of points) byLabel.set(labels[one.model], [...(byLabel.get(labels[one.model]) || []), one]);
   const mean = (models, key) => models.reduce((sum, one) => sum + one[key], 0) / models.length;
   return [...byLabel].map(([label, models]) => ({ label, x: mean(models, 'x'), y: mean(models, 'y') }));
 }
 
-// Scales of equal units that show all places in an area.
-export function mapScales(placed, width, height) {
-  const [xs, ys] = ['x', 'y'].map((key) => d3.extent(placed, (one) => one[key]));
+// Scales of equal units that show all points in an area.
+export function mapScales(points, width, height) {
+  const [xs, ys] = ['x', 'y'].map((key) => d3.extent(points, (one) => one[key]));
   const unit = Math.min(width / (xs[1] - xs[0] || 1), height / (ys[1] - ys[0] || 1));
   const around = ([low, high], pixels, sign) => d3.scaleLinear([low, high],
     [(pixels - sign * unit * (high - low)) / 2, (pixels + sign * unit * (high - low)) / 2]);
@@ -46,20 +46,20 @@ function drawMap(state) {
   stamp('map', [method.name, 'classical multidimensional scaling of the distances',
     report.pictures ? 'dots have the colours of classes' : 'colours of classes'],
     'Point at a model to see its class, click to open it; drag to move, Ctrl and wheel or two fingers to zoom');
-  const place = byId('map-chart');
-  const whole = widthIn(place, 1110);
-  const { svg, area, width, height } = drawing(place, { width: whole, height: Math.min(700, 0.75 * whole),
+  const container = byId('map-chart');
+  const whole = widthIn(container, 1110);
+  const { svg, area, width, height } = drawing(container, { width: whole, height: Math.min(700, 0.75 * whole),
     left: 30, right: 30, top: 26, bottom: 26, label: `Map of the models by ${method.name}` });
-  const placed = placedModels(method.map, classOrder(report));
-  const [x, y] = mapScales(placed, width, height);
-  const models = area.selectAll('g').data(placed).enter().append('g').attr('class', 'placed')
+  const points = modelPoints(method.map, classOrder(report));
+  const [x, y] = mapScales(points, width, height);
+  const models = area.selectAll('g').data(points).enter().append('g').attr('class', 'placed')
     .attr('data-model', ({ model }) => model);
   models.filter(({ model }) => report.pictures && report.pictures.png[model]).append('image')
     .attr('href', ({ model }) => `data:image/png;base64,${report.pictures.png[model]}`)
     .attr('width', size[0]).attr('height', size[1]).attr('x', -size[0] / 2).attr('y', -size[1] / 2);
   models.append('circle').attr('r', report.pictures ? 3 : 5).attr('cy', report.pictures ? size[1] / 2 : 0)
     .style('fill', ({ model }) => colourOf(report.labels[model]));
-  const names = area.selectAll('text').data(classMiddles(placed, report.labels)).enter().append('text')
+  const names = area.selectAll('text').data(classMiddles(points, report.labels)).enter().append('text')
     .attr('class', 'class-name').text(({ label }) => shortened(report.classes[label], 20));
   const fade = (label) => models.classed('faded', ({ model }) => label !== null && report.labels[model] !== label);
   models.on('pointermove', ({ model }) => {
@@ -80,5 +80,5 @@ function drawMap(state) {
     .on('zoom', () => put(d3.event.transform));
   svg.call(zoom).on('dblclick.zoom', null);
   put(d3.zoomIdentity);
-  place.append(saveButton(svg.node(), 'map'));
+  container.append(saveButton(svg.node(), 'map'));
 }

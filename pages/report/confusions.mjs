@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nearest neighbours class by class: which classes are taken for which.
+// Nearest neighbours class by class: which classes are confused with which.
 
 import { drawing } from '../common/chart.mjs';
 import { byId, make } from '../common/elements.mjs';
@@ -30,18 +30,18 @@ function drawConfusions({ report: { classes }, method: { confusion, name } }) {
   stamp('confusions',
     [name, 'number of queries of the class of a row whose nearest neighbour is of the class of a column']);
   const { totals, wrong } = countConfusions(confusion);
-  const place = byId('confusions-chart');
+  const container = byId('confusions-chart');
   if (classes.length > mostClassesInGrid) {
-    place.replaceChildren(make('p', {}, `The grid is left out for more than ${mostClassesInGrid} classes.`));
+    container.replaceChildren(make('p', {}, `The grid is left out for more than ${mostClassesInGrid} classes.`));
   } else {
-    drawGrid(place, { confusion, totals, classes, name });
+    drawGrid(container, { confusion, totals, classes, name });
   }
   drawTable(byId('confusions-table'), wrong, classes);
 }
 
-function drawTable(place, wrong, classes) {
+function drawTable(container, wrong, classes) {
   if (wrong.length === 0) {
-    place.replaceChildren(make('p', {}, 'Every query\u2019s nearest neighbour is of its own class.'));
+    container.replaceChildren(make('p', {}, 'Every query\u2019s nearest neighbour is of its own class.'));
     return;
   }
   const columns = [
@@ -52,16 +52,16 @@ function drawTable(place, wrong, classes) {
   ];
   const caption = wrong.length > mostConfusionsInTable
     ? `The ${mostConfusionsInTable} most frequent of ${wrong.length} confusions` : counted(wrong.length, 'confusion');
-  sortableTable(place, { caption, columns, rows: wrong.slice(0, mostConfusionsInTable) });
+  sortableTable(container, { caption, columns, rows: wrong.slice(0, mostConfusionsInTable) });
 }
 
-function drawGrid(place, { confusion, totals, classes, name }) {
+function drawGrid(container, { confusion, totals, classes, name }) {
   const count = classes.length;
   const cell = Math.max(9, Math.min(26, Math.floor(560 / count)));
   const labelled = cell >= 11;
   const longest = Math.max(...classes.map((text) => text.length));
   const margin = labelled ? 8 + 6.4 * Math.min(18, longest) : 10;
-  const { svg, area } = drawing(place, {
+  const { svg, area } = drawing(container, {
     width: margin + count * cell + margin / 2, height: margin + count * cell + 4,
     left: margin, right: margin / 2, top: margin, bottom: 4, label: `Confusion matrix of ${name}`,
   });
@@ -75,7 +75,7 @@ function drawGrid(place, { confusion, totals, classes, name }) {
     }
     if (labelled) drawNames(area, shortened(classes[label], 18), (label + 0.5) * cell);
   });
-  place.append(saveButton(svg.node(), 'confusions'));
+  container.append(saveButton(svg.node(), 'confusions'));
 }
 
 function drawCell(area, { x, y, cell, queries, part, words }) {

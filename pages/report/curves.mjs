@@ -35,9 +35,9 @@ function drawCurves(state, whole) {
   drawLegend(byId('curves-legend'), state);
   stamp('curves', [protocolWords, averageWords, 'fractions'],
     'Point at the chart, or use the arrow keys in it, to read values');
-  const place = byId('curves-chart');
-  const { svg, area, width, height } = drawing(place, {
-    width: widthIn(place, 980), height: 470, left: 56, right: 16, top: 10, bottom: 44,
+  const container = byId('curves-chart');
+  const { svg, area, width, height } = drawing(container, {
+    width: widthIn(container, 980), height: 470, left: 56, right: 16, top: 10, bottom: 44,
     label: `Precision-recall curves, ${protocolWords}, ${averageWords}`,
   });
   const x = d3.scaleLinear([0, 1], [0, width]);
@@ -48,7 +48,7 @@ function drawCurves(state, whole) {
     drawCurve(area, index, curveOf(state, index).map((precision, level) => [x(recall[level]), y(precision)]));
   }
   readValues(svg.node(), area, x, height, state);
-  place.append(saveButton(svg.node(), `precision_recall_${protocol}_${state.chosen.average}`));
+  container.append(saveButton(svg.node(), `precision_recall_${protocol}_${state.chosen.average}`));
 }
 
 function drawAxes(area, x, y, width, height) {
@@ -86,8 +86,8 @@ function readValues(svg, area, x, height, state) {
     tooltip.hide();
   };
   svg.addEventListener('pointermove', (event) => {
-    const place = d3.clientPoint(area.node(), event)[0];
-    level = d3.scan(recall, (a, b) => Math.abs(x(a) - place) - Math.abs(x(b) - place));
+    const pointerX = d3.clientPoint(area.node(), event)[0];
+    level = d3.scan(recall, (a, b) => Math.abs(x(a) - pointerX) - Math.abs(x(b) - pointerX));
     read(event.clientX, event.clientY);
   });
   svg.addEventListener('pointerleave', leave);

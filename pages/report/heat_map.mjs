@@ -39,9 +39,9 @@ export function quantileOf(cells, part) {
   return finite[Math.floor(part * (finite.length - 1))] || 1;
 }
 
-// The places along the rows (0 to 1) for the names of the classes; where they are too close, every so many.
-export function namePlaces(order, labels) {
-  const places = [];
+// The positions along the rows (0 to 1) for the names of the classes; where they are too close, every so many.
+export function namePositions(order, labels) {
+  const positions = [];
   let last = -1;
   for (let begin = 0; begin < order.length;) {
     const label = labels[order[begin]];
@@ -49,12 +49,12 @@ export function namePlaces(order, labels) {
     while (end < order.length && labels[order[end]] === label) ++end;
     const middle = (begin + end) / 2 / order.length;
     if (middle - last > 0.018) {
-      places.push({ label, middle });
+      positions.push({ label, middle });
       last = middle;
     }
     begin = end;
   }
-  return places;
+  return positions;
 }
 
 function drawHeatMap(state, order) {
@@ -68,7 +68,7 @@ function drawHeatMap(state, order) {
   const canvas = make('canvas', { role: 'img', tabindex: 0, 'aria-label': label });
   paint(canvas, cells, map.side, largest);
   readCells(canvas, cells, map, state, order);
-  const names = namePlaces(order, report.labels).map(({ label: at, middle }) =>
+  const names = namePositions(order, report.labels).map(({ label: at, middle }) =>
     make('span', { style: `top:${100 * middle}%` }, report.classes[at]));
   byId('distances-chart').replaceChildren(
     make('div', { class: 'heat' }, make('div', { class: 'names', 'aria-hidden': 'true' }, ...names), canvas),

@@ -46,8 +46,8 @@ export class HistogramCharts {
     const bins = this.binsOf(model, index);
     const [low, high] = histograms.ranges[model];
     const edge = (bin) => low + ((high - low) * bin) / bins.length;
-    const place = make('div', { class: 'chart histogram' });
-    const { svg, area, width, height } = drawing(place, {
+    const container = make('div', { class: 'chart histogram' });
+    const { svg, area, width, height } = drawing(container, {
       width: Math.max(420, Math.min(880, window.innerWidth - 90)), height: 190,
       left: 50, right: 14, top: 22, bottom: 38, label: `Histogram of ${this.report.ids[model]}, ${name}`,
     });
@@ -64,7 +64,7 @@ export class HistogramCharts {
     area.append('g').attr('class', 'axis').call(d3.axisLeft(y).ticks(4));
     area.append('text').attr('x', width / 2).attr('y', height + 34).attr('text-anchor', 'middle')
       .text('Field value (shape of unit area)');
-    place.append(saveButton(svg.node(), `histogram_${model}`));
-    return place;
+    container.append(saveButton(svg.node(), `histogram_${model}`));
+    return container;
   }
 }

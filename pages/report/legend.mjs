@@ -7,14 +7,14 @@ import { swatch } from './method_look.mjs';
 
 // A button for each method that hides it in the charts or shows it again, and lights it up where the pointer or the
 // keyboard is; and two for all of them where there are many.
-export function drawLegend(place, state) {
+export function drawLegend(container, state) {
   const { report, chosen: { hidden }, methodIndices: all } = state;
   const legend = make('div', { class: 'legend', role: 'group', 'aria-label': 'Methods shown' });
   const add = (attributes, hiddenNext, ...content) => {
     const position = legend.children.length;
     const click = () => {
       state.change({ hidden: new Set(hiddenNext) });
-      place.querySelectorAll('button')[position].focus();
+      container.querySelectorAll('button')[position].focus();
     };
     legend.append(make('button', { type: 'button', click, ...attributes }, ...content));
   };
@@ -30,7 +30,7 @@ export function drawLegend(place, state) {
     add({ class: 'quiet' }, [], 'Show all');
     add({ class: 'quiet' }, all, 'Hide all');
   }
-  place.replaceChildren(legend);
+  container.replaceChildren(legend);
 }
 
 // Fades what charts show of all methods but one; null: of none.

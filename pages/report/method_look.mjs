@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A method's colour, dashes and sign: alike in all charts. Methods of one colour differ in both others.
+// A method's colour, dashes and sign: the same in all charts. Methods of one colour differ in both others.
 
 import { methodColours, methodDashes } from '../common/constants.mjs';
 

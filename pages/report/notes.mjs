@@ -8,24 +8,24 @@ import { sortableTable } from './sortable_table.mjs';
 const list = (items) => make('ul', { class: 'notes' }, ...items);
 
 export function drawNotes(report) {
-  const place = byId('notes-text');
+  const container = byId('notes-text');
   const { left_out: leftOut } = report.methods[0].evaluations[0];
   const few = counted(leftOut, 'model');
   const small = `${few} of classes that are too small: never a query, but in the lists of others.`;
   const notes = [...(leftOut > 0 ? [small] : []), ...report.warnings].map((note) => make('li', {}, note));
-  place.append(notes.length ? list(notes) : make('p', {}, 'No warnings.'));
-  if (report.failures.length) place.append(...failureTable(report.failures));
+  container.append(notes.length ? list(notes) : make('p', {}, 'No warnings.'));
+  if (report.failures.length) container.append(...failureTable(report.failures));
   const ofMethods = report.methods.flatMap(({ name, failures }) => failures.map((failure) => [name, ...failure]));
-  if (ofMethods.length) place.append(...methodFailureTable(ofMethods));
-  if (report.leaks.length) place.append(...leakTable(report.leaks));
+  if (ofMethods.length) container.append(...methodFailureTable(ofMethods));
+  if (report.leaks.length) container.append(...leakTable(report.leaks));
   if (report.perturbations.length) {
     const title = (type, index) => `${index + 1}. ${type}`;
-    place.append(make('h3', {}, 'Perturbations'),
+    container.append(make('h3', {}, 'Perturbations'),
       settingsTables(report.perturbations.map(([type, settings], index) => [title(type, index), settings])));
   }
   const described = report.methods.filter(({ settings }) => settings.length);
   if (described.length === 0) return;
-  place.append(make('h3', {}, 'Methods'), settingsTables(described.map(({ name, settings, distance }) =>
+  container.append(make('h3', {}, 'Methods'), settingsTables(described.map(({ name, settings, distance }) =>
     [name, distance ? [...settings, ['distance', distance]] : settings])));
 }
 

@@ -10,4 +10,4 @@ export function stamp(section, parts, ...hints) {
 }
 
 // The width of a drawing: what there is room for, up to a limit.
-export const widthIn = (place, largest) => Math.max(420, Math.min(largest, place.clientWidth || largest));
+export const widthIn = (container, largest) => Math.max(420, Math.min(largest, container.clientWidth || largest));

@@ -18,7 +18,7 @@ export class ShapeDialog {
     this.dialog = byId('shape');
     this.histograms = new HistogramCharts(state.report);
     this.visited = []; // the shape that is shown, last, and those that were looked at before it
-    this.turned = null; // that shape, where it can be turned: { model, place, view }
+    this.turned = null; // that shape, where it can be turned: { model, container, view }
     this.dialog.onclose = () => {
       if (this.dialog.open) return; // the event may come when the next shape is open
       this.closeView();
@@ -81,7 +81,7 @@ export class ShapeDialog {
   portraitOf(model) {
     const { report } = this.state;
     if (!report.views) return report.pictures ? picture(report, model) : null;
-    if (this.turned && this.turned.model === model) return this.turned.place;
+    if (this.turned && this.turned.model === model) return this.turned.container;
     this.closeView();
     const { fields, shapes } = report.views;
     const packed = {
@@ -91,8 +91,8 @@ export class ShapeDialog {
     };
     const scales = {};
     for (const { name, colours } of fields) if (colours) scales[name] = colours;
-    const place = make('div', { class: 'turned' });
-    this.turned = { model, place, view: new ShapeView(place, [packed], { scales, note: viewNote }) };
-    return place;
+    const container = make('div', { class: 'turned' });
+    this.turned = { model, container, view: new ShapeView(container, [packed], { scales, note: viewNote }) };
+    return container;
   }
 }

@@ -6,32 +6,32 @@ import { make } from '../common/elements.mjs';
 // columns: { title, text(row), value(row), numeric, best, cell(row) }: text is what is shown; value is what is sorted
 // by (text unless given); best marks the largest, all of equal text; cell makes the content where it is more than text.
 // sort: { column, ascending } to begin with; sorted() receives it when it changes.
-export function sortableTable(place, { caption, columns, rows, sort = null, sorted = () => {} }) {
+export function sortableTable(container, { caption, columns, rows, sort = null, sorted = () => {} }) {
   const best = columns.map((column) => (column.best ? bestText(column, rows) : null));
   const sortBy = (index) => {
     const ascending = sort && sort.column === index ? !sort.ascending : !columns[index].numeric;
     const next = { column: index, ascending };
-    sortableTable(place, { caption, columns, rows, sort: next, sorted });
+    sortableTable(container, { caption, columns, rows, sort: next, sorted });
     sorted(next);
-    place.querySelectorAll('th button')[index].focus();
+    container.querySelectorAll('th button')[index].focus();
   };
   const head = columns.map((column, index) => headCell(column, directionOf(sort, index), () => sortBy(index)));
   const body = sortedRows(rows, columns, sort).map((row) =>
     make('tr', {}, ...columns.map((column, index) => bodyCell(column, index, row, best[index]))));
-  place.replaceChildren(make('table', {}, make('caption', {}, caption),
+  container.replaceChildren(make('table', {}, make('caption', {}, caption),
     make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...body)));
 }
 
 // A table of the program's texts; the columns after the first text_columns have numbers.
-export function textTable(place, { header, text_columns: words, rows }, caption = '') {
+export function textTable(container, { header, text_columns: words, rows }, caption = '') {
   const columns = header.map((title, position) => ({
     title, numeric: position >= words, text: (row) => row[position],
     value: (row) => (position < words ? row[position] : parseFloat(row[position].replace('<', ''))),
   }));
-  sortableTable(place, { caption, columns, rows });
+  sortableTable(container, { caption, columns, rows });
 }
 
-// The rows in the order of a column; alike ones in the order that they had.
+// The rows in the order of a column; equal ones stay in their order.
 export function sortedRows(rows, columns, sort) {
   if (!sort) return rows;
   const value = columns[sort.column].value || columns[sort.column].text;

@@ -4,7 +4,7 @@
 import { make } from '../common/elements.mjs';
 import { saveFile } from '../common/save.mjs';
 
-const keptProperties = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity',
+const inlinedProperties = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity',
   'opacity', 'font-family', 'font-size', 'font-weight', 'text-anchor', 'display'];
 
 // The drawing as the text of an SVG file that looks the same by itself.
@@ -13,7 +13,7 @@ function svgFile(svg) {
   const originals = svg.querySelectorAll('*');
   copy.querySelectorAll('*').forEach((element, index) => {
     const style = getComputedStyle(originals[index]);
-    element.setAttribute('style', keptProperties.map((name) => `${name}:${style.getPropertyValue(name)}`).join(';'));
+    element.setAttribute('style', inlinedProperties.map((name) => `${name}:${style.getPropertyValue(name)}`).join(';'));
   });
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   copy.removeAttribute('tabindex');

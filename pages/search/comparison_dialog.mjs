@@ -49,15 +49,15 @@ export class ComparisonDialog {
     const found = rank < 0 ? null : nearest[rank];
     const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
     const words = found ? `, rank ${rank + 1}, distance ${number(found[1], 3)}` : '';
-    const place = make('div');
+    const container = make('div');
     fillDialog(this.dialog, [shown[shown.length - 1].name, make('span', { class: 'count' }, words)], [
       dialogButton('Nearer', () => this.step(-1), { class: 'previous', disabled: rank < 1 }),
       dialogButton('Farther', () => this.step(1), { class: 'next', disabled: rank + 1 >= nearest.length }),
-    ], place);
+    ], container);
     const drawn = shown.filter((shape) => shape.vertices);
-    if (drawn.length === 0) place.append(make('p', {}, 'The file cannot be read any more.'));
-    if (drawn.length > 0) this.view = new ShapeView(place, drawn, { note });
-    const wanted = this.dialog.querySelector(focus);
-    (wanted.disabled ? this.dialog.querySelector('.close') : wanted).focus({ preventScroll: true });
+    if (drawn.length === 0) container.append(make('p', {}, 'The file cannot be read any more.'));
+    if (drawn.length > 0) this.view = new ShapeView(container, drawn, { note });
+    const target = this.dialog.querySelector(focus);
+    (target.disabled ? this.dialog.querySelector('.close') : target).focus({ preventScroll: true });
   }
 }

@@ -16,10 +16,10 @@ const { errors, moved, consistency, failures, shown, typical } = page;
 
 function openShape({ title, view }) {
   const dialog = byId('shape');
-  const place = make('div', { class: 'turned' });
-  fillDialog(dialog, [title], [], place);
+  const container = make('div', { class: 'turned' });
+  fillDialog(dialog, [title], [], container);
   dialog.showModal();
-  const live = new ShapeView(place, [{ ...view, name: title }], { note: 'The shape is simplified.' });
+  const live = new ShapeView(container, [{ ...view, name: title }], { note: 'The shape is simplified.' });
   dialog.onclose = () => live.destroy();
 }
 
@@ -33,9 +33,9 @@ function figure(shape) {
 function drawErrors() {
   stamp('errors', ['less is better', `triangles count ${errors.weights}`]);
   for (const table of errors.tables) {
-    const place = make('div', { class: 'wide' });
-    textTable(place, table);
-    byId('errors-tables').append(place);
+    const container = make('div', { class: 'wide' });
+    textTable(container, table);
+    byId('errors-tables').append(container);
   }
 }
 

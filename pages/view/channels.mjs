@@ -17,13 +17,13 @@ export function channelsOf(shapes) {
   return [...channels, { name: 'Nothing', kind: 'plain', of: () => null }];
 }
 
-// The scale of a channel's colours on a shape { from, to, root } and the range of its values { low, high }: a given
-// one, the one that the field has set, or from the least to the greatest of the shapes that share it; log: by the
+// The scale of a channel's colours on a shape { from, to, root } and the range of its values { low, high }: a preset
+// scale, the one that the field has set, or from the least to the greatest of the shapes that share it; log: by the
 // logarithm; below: what is less is painted. Null where the shape has no values.
-export function scaleOf(channel, shape, sharing, given) {
+export function scaleOf(channel, shape, sharing, preset) {
   const field = channel.of(shape);
   if (channel.kind !== 'values' || !field) return null;
-  if (given) return { low: field.low, high: field.high, ...given };
+  if (preset) return { low: field.low, high: field.high, ...preset };
   const marks = { ...(field.log && { log: true }), ...(field.below !== undefined && { below: field.below }) };
   if (field.set) return { from: field.from, to: field.to, low: field.low, high: field.high, ...marks };
   const fields = sharing.map((other) => channel.of(other)).filter(Boolean);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was measured at a place: the ball that touches the surface there, inside or in the gap outside, or the ray
+// What was measured at a point: the ball that touches the surface there, inside or in the gap outside, or the ray
 // through the shape.
 
 // Where it is: { from, to } at the ends of the diameter or ray. by: 'ball', 'gap' or 'ray'.

@@ -62,9 +62,9 @@ export const fragmentShader = `
     cutOff();
     vec3 colour = ${channels(unknownColour)};
     if (what == ${channelNumbers.values} && vKnown > 0.99) {
-      float place = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
-      if (root) place = sqrt(place);
-      colour = texture2D(colours, vec2((place * (levels - 1.0) + 0.5) / levels, 0.5)).rgb;
+      float fraction = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
+      if (root) fraction = sqrt(fraction);
+      colour = texture2D(colours, vec2((fraction * (levels - 1.0) + 0.5) / levels, 0.5)).rgb;
       if (marking && vValue < below) colour = ${channels(belowColour)};
     } else if (what == ${channelNumbers.normals} && dot(vDirection, vDirection) > 0.01) {
       colour = 0.5 + 0.5 * normalize(vDirection);

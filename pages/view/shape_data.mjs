@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes as shape_view.cpp packs them, unpacked into what is drawn: triangles, and values at their places. A place is a
-// face, a vertex or, of a cloud, a point; each corner of each triangle belongs to one.
+// Shapes as shape_view.cpp packs them, unpacked into what is drawn: triangles, and values at their samples. A sample is
+// a face, a vertex or, of a cloud, a point; each corner of each triangle belongs to one.
 
 import { directionLevels, trianglesPerSplat } from '../common/constants.mjs';
 import { bytesOf, shortsOf, valuesBetween } from '../common/packed.mjs';
@@ -50,15 +50,15 @@ function fieldOf({ values, ...field }) {
   return { ...field, values: valuesBetween(values, field.low, field.high, NaN) };
 }
 
-// The triangles of a cloud: positions of their corners, and the places that the corners belong to.
+// The triangles of a cloud: positions of their corners, and the samples that the corners belong to.
 function unpackCloud({ radii }, points, radius) {
-  const own = Float32Array.from(shortsOf(radii.values), (level) => (level * radii.step) / radius);
+  const splatRadii = Float32Array.from(shortsOf(radii.values), (level) => (level * radii.step) / radius);
   const corners = 3 * trianglesPerSplat;
   return {
     site: 'point',
-    positions: hexagonsOf(points, directionsOf(radii.directions), own),
-    places: own.length,
-    placeOf: Uint32Array.from({ length: corners * own.length }, (_, corner) => Math.floor(corner / corners)),
+    positions: hexagonsOf(points, directionsOf(radii.directions), splatRadii),
+    sampleCount: splatRadii.length,
+    sampleOf: Uint32Array.from({ length: corners * splatRadii.length }, (_, corner) => Math.floor(corner / corners)),
   };
 }
 
@@ -71,8 +71,8 @@ function unpackMesh({ triangles, site }, points) {
     vertexOf,
     positions: Float32Array.from({ length: 3 * vertexOf.length },
       (_, i) => points[3 * vertexOf[Math.floor(i / 3)] + (i % 3)]),
-    places: faces ? triangles.count : points.length / 3,
-    placeOf: faces ? vertexOf.map((_, corner) => Math.floor(corner / 3)) : vertexOf,
+    sampleCount: faces ? triangles.count : points.length / 3,
+    sampleOf: faces ? vertexOf.map((_, corner) => Math.floor(corner / 3)) : vertexOf,
   };
 }
 

@@ -41,18 +41,18 @@ function colourTexture(colours, smooth) {
   return texture;
 }
 
-// The values of three numbers a place, at corners.
-const atCorners = (placeOf, values) =>
-  Float32Array.from({ length: 3 * placeOf.length }, (_, i) => values[3 * placeOf[Math.floor(i / 3)] + (i % 3)]);
+// The values of three numbers per sample, at corners.
+const atCorners = (sampleOf, values) =>
+  Float32Array.from({ length: 3 * sampleOf.length }, (_, i) => values[3 * sampleOf[Math.floor(i / 3)] + (i % 3)]);
 
 function geometryOf(shape) {
-  const { placeOf, positions, directions, faceNormals, vertexOf } = shape;
-  const count = placeOf.length;
+  const { sampleOf, positions, directions, faceNormals, vertexOf } = shape;
+  const count = sampleOf.length;
   const faceOf = Uint32Array.from({ length: count }, (_, corner) => Math.floor(corner / 3));
   const attributes = {
     position: [positions, 3],
     normal: [vertexOf ? cornerNormals(shape) : atCorners(faceOf, faceNormals), 3],
-    direction: [directions ? atCorners(placeOf, directions) : new Float32Array(3 * count), 3],
+    direction: [directions ? atCorners(sampleOf, directions) : new Float32Array(3 * count), 3],
     value: [new Float32Array(count), 1],
     known: [new Float32Array(count), 1],
   };
@@ -73,20 +73,20 @@ function shapeMaterial() {
   return new THREE.ShaderMaterial({ vertexShader, fragmentShader, side: THREE.DoubleSide, uniforms });
 }
 
-// Normals as lines; of many places, every so many.
-function normalLines({ directions, placeOf, positions, places }) {
-  const step = Math.ceil(places / mostNormalLines);
-  const feet = new Float32Array(3 * places);
-  const corners = new Uint32Array(places);
-  placeOf.forEach((place, corner) => {
-    ++corners[place];
-    for (let k = 0; k < 3; ++k) feet[3 * place + k] += positions[3 * corner + k];
+// Normals as lines; of many samples, every so many.
+function normalLines({ directions, sampleOf, positions, sampleCount }) {
+  const step = Math.ceil(sampleCount / mostNormalLines);
+  const feet = new Float32Array(3 * sampleCount);
+  const corners = new Uint32Array(sampleCount);
+  sampleOf.forEach((sample, corner) => {
+    ++corners[sample];
+    for (let k = 0; k < 3; ++k) feet[3 * sample + k] += positions[3 * corner + k];
   });
   const ends = [];
-  for (let place = 0; place < places; place += step) {
-    if (!corners[place]) continue;
-    const foot = [0, 1, 2].map((k) => feet[3 * place + k] / corners[place]);
-    ends.push(...foot, ...foot.map((x, k) => x + 0.04 * directions[3 * place + k]));
+  for (let sample = 0; sample < sampleCount; sample += step) {
+    if (!corners[sample]) continue;
+    const foot = [0, 1, 2].map((k) => feet[3 * sample + k] / corners[sample]);
+    ends.push(...foot, ...foot.map((x, k) => x + 0.04 * directions[3 * sample + k]));
   }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(ends), 3));
@@ -128,8 +128,8 @@ export class DrawnShape {
     const { value, known } = this.mesh.geometry.attributes;
     // As parts of the range of colours: single precision suffices then, whatever the unit.
     this.part = shown.to > shown.from ? (x) => scalePart({ ...shown, root: false }, x) : (x) => x - shown.from;
-    this.shape.placeOf.forEach((place, corner) => {
-      const x = shown.values[place];
+    this.shape.sampleOf.forEach((sample, corner) => {
+      const x = shown.values[sample];
       known.array[corner] = Number.isNaN(x) ? 0 : 1;
       value.array[corner] = Number.isNaN(x) ? 0 : this.part(x);
     });
@@ -151,7 +151,7 @@ export class DrawnShape {
     if (this.lines) this.lines.material.color.setRGB(lines.r / 255, lines.g / 255, lines.b / 255);
   }
 
-  // Lights up the places with values in the interval only; null: all.
+  // Lights up the samples with values in the interval only; null: all.
   light(interval) {
     const { lighting, lit } = this.material.uniforms;
     lighting.value = Boolean(interval);
@@ -165,7 +165,7 @@ export class DrawnShape {
     if (this.section) this.section.show(plane);
   }
 
-  // Shows what was measured at a place that at() returned: by: 'ball', 'gap' or 'ray'; length: in units of the radius.
+  // Shows what was measured at a point that at() returned: by: 'ball', 'gap' or 'ray'; length: in units of the radius.
   measure({ point, normal }, by, length) {
     this.probe.show(measuredLine(point, normal, by, length), by);
   }
@@ -179,14 +179,14 @@ export class DrawnShape {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const size = renderer.getSize(new THREE.Vector2());
     if (size.x !== width || size.y !== height) renderer.setSize(width, height, false);
-    this.place(camera, width / height);
+    this.setCamera(camera, width / height);
     renderer.render(this.scene, this.camera);
     const context = canvas.getContext('2d');
     context.clearRect(0, 0, width, height);
     context.drawImage(renderer.domElement, 0, 0);
   }
 
-  place({ turn, zoom, shift }, aspect) {
+  setCamera({ turn, zoom, shift }, aspect) {
     this.turned.quaternion.multiplyQuaternions(turn, this.upright);
     const half = 1.04 / zoom;
     const [wide, high] = aspect > 1 ? [half * aspect, half] : [half, half / aspect];
@@ -195,7 +195,7 @@ export class DrawnShape {
     this.scene.updateMatrixWorld();
   }
 
-  // What is at a point of the canvas (from -1 to 1): the place and, where values belong to vertices, the three around
+  // What is at a point of the canvas (from -1 to 1): the sample and, where values belong to vertices, the three around
   // it with their shares. Null where there is nothing.
   at(x, y) {
     this.caster.setFromCamera(new THREE.Vector2(x, y), this.camera);
@@ -203,14 +203,14 @@ export class DrawnShape {
     const [hit] = hits;
     if (!hit || this.looksAtSection(hits)) return null;
     const corners = [0, 1, 2].map((k) => 3 * hit.faceIndex + k);
-    const places = corners.map((corner) => this.shape.placeOf[corner]);
+    const samples = corners.map((corner) => this.shape.sampleOf[corner]);
     const point = this.mesh.worldToLocal(hit.point.clone());
-    const found = (place, others, shares) =>
-      ({ place, places: others, shares, point: point.toArray(), normal: this.normalAt(place, hit.faceIndex) });
-    if (this.shape.site !== 'vertex') return found(places[0], [places[0]], [1]);
+    const found = (sample, others, shares) =>
+      ({ sample, samples: others, shares, point: point.toArray(), normal: this.normalAt(sample, hit.faceIndex) });
+    if (this.shape.site !== 'vertex') return found(samples[0], [samples[0]], [1]);
     const ends = corners.map((corner) => new THREE.Vector3().fromArray(this.shape.positions, 3 * corner));
     const shares = THREE.Triangle.getBarycoord(point, ...ends, new THREE.Vector3()).toArray();
-    return found(places[shares.indexOf(Math.max(...shares))], places, shares);
+    return found(samples[shares.indexOf(Math.max(...shares))], samples, shares);
   }
 
   isCutOff(point) {
@@ -219,7 +219,7 @@ export class DrawnShape {
     return this.mesh.worldToLocal(point.clone()).dot(new THREE.Vector3(...normal)) > at;
   }
 
-  // Whether the first thing that a ray meets is the section: it enters what is kept by the plane, inside the shape.
+  // Whether the first thing that a ray meets is the section: it enters the retained half, inside the shape.
   looksAtSection(hits) {
     if (!this.plane || !this.section || hits.length % 2 === 0) return false;
     const normal = new THREE.Vector3(...this.plane.normal).applyQuaternion(this.turned.quaternion);
@@ -227,30 +227,30 @@ export class DrawnShape {
   }
 
   // The unit normal where values were measured, or that of the face.
-  normalAt(place, face) {
+  normalAt(sample, face) {
     const { directions, faceNormals } = this.shape;
-    const own = directions ? vectorAt(directions, 3 * place) : [0, 0, 0];
-    return unit(own.some((x) => x !== 0) ? own : vectorAt(faceNormals, 3 * face));
+    const normal = directions ? vectorAt(directions, 3 * sample) : [0, 0, 0];
+    return unit(normal.some((x) => x !== 0) ? normal : vectorAt(faceNormals, 3 * face));
   }
 
   // Positions in lengths of the shape, colours [r, g, b] and values of all corners as they are shown (glb.mjs).
   coloured(shown) {
-    const { placeOf, positions, radius, name, directions } = this.shape;
+    const { sampleOf, positions, radius, name, directions } = this.shape;
     const channels = (text) => {
       const { r, g, b } = d3.rgb(text);
       return [r, g, b];
     };
-    const colourAt = (place) => {
-      if (shown.kind === 'normals') return vectorAt(directions, 3 * place).map((x) => Math.round(127.5 * (1 + x)));
+    const colourAt = (sample) => {
+      if (shown.kind === 'normals') return vectorAt(directions, 3 * sample).map((x) => Math.round(127.5 * (1 + x)));
       if (shown.kind === 'plain') return channels(plainColour);
-      return channels(valueColour(shown, shown.values[place]));
+      return channels(valueColour(shown, shown.values[sample]));
     };
-    const colours = Array.from({ length: this.shape.places }, (_, place) => colourAt(place));
+    const colours = Array.from({ length: this.shape.sampleCount }, (_, sample) => colourAt(sample));
     return {
       name,
       positions: positions.map((x) => x * radius),
-      colours: Array.from(placeOf, (place) => colours[place]),
-      values: shown.kind === 'values' ? Float32Array.from(placeOf, (place) => shown.values[place]) : null,
+      colours: Array.from(sampleOf, (sample) => colours[sample]),
+      values: shown.kind === 'values' ? Float32Array.from(sampleOf, (sample) => shown.values[sample]) : null,
     };
   }
 

@@ -24,7 +24,7 @@ const hints = {
     'values.',
 };
 const legendWords = {
-  ownScales: 'Each shape has colours from its own thinnest to its own thickest.',
+  separateScales: 'Each shape has colours from its own thinnest to its own thickest.',
   parts: 'Each part has a colour; neighbours differ.',
   normals: 'Red, green and blue are the x, y and z of the normals.',
 };
@@ -32,8 +32,8 @@ const legendWords = {
 export class ShapeView {
   // scales: by the name of a field { from, to, root }, where its colours have a scale that is set;
   // note: said below; unit: of lengths.
-  constructor(place, packed, { scales = {}, note = '', unit = '' } = {}) {
-    this.place = place;
+  constructor(container, packed, { scales = {}, note = '', unit = '' } = {}) {
+    this.container = container;
     this.shapes = packed.map(unpackShape);
     this.scales = scales;
     this.unit = unit;
@@ -47,13 +47,13 @@ export class ShapeView {
     this.legend = make('div', { class: 'view-legend' });
     this.cells = this.shapes.map((shape) => this.makeCell(shape));
     const alone = this.shapes.length === 1 ? ' alone' : '';
-    place.replaceChildren(this.tools(), this.legend,
+    container.replaceChildren(this.tools(), this.legend,
       make('div', { class: `view-cells${alone}` }, ...this.cells.map(({ figure }) => figure)),
       make('p', { class: 'stamp' }, [this.live ? hints.live : hints.still, hints.bars, note].join(' ')));
     this.onTheme = () => this.show();
     document.addEventListener('themechange', this.onTheme);
     this.resizing = new ResizeObserver(() => this.resized());
-    this.resizing.observe(place);
+    this.resizing.observe(container);
     this.show();
   }
 
@@ -187,7 +187,7 @@ export class ShapeView {
   drawLegend() {
     const scale = this.shapes.map((shape) => this.scale(shape)).find(Boolean);
     if (!scale || (!this.together && this.shapes.length > 1)) {
-      const words = scale ? legendWords.ownScales : legendWords[this.channel.kind] || '';
+      const words = scale ? legendWords.separateScales : legendWords[this.channel.kind] || '';
       this.legend.replaceChildren(make('p', { class: 'stamp' }, words));
       return;
     }
@@ -203,7 +203,7 @@ export class ShapeView {
       const { below } = this.scale(shape) || {};
       const field = this.channel.of(shape);
       if (below === undefined || !field) return '';
-      const areaWhere = (holds) => d3.sum(shape.weights, (weight, place) => (holds(field.values[place]) ? weight : 0));
+      const areaWhere = (holds) => d3.sum(shape.weights, (weight, k) => (holds(field.values[k]) ? weight : 0));
       const missing = areaWhere(Number.isNaN);
       const known = areaWhere((value) => !Number.isNaN(value));
       const name = this.shapes.length > 1 ? `${shape.name}: ` : '';
@@ -277,15 +277,15 @@ export class ShapeView {
       this.leave();
       return;
     }
-    const valueIn = ({ values }) => d3.sum(hit.places, (place, k) => hit.shares[k] * values[place]);
-    const known = ({ values }) => hit.places.every((place) => !Number.isNaN(values[place]));
+    const valueIn = ({ values }) => d3.sum(hit.samples, (sample, k) => hit.shares[k] * values[sample]);
+    const known = ({ values }) => hit.samples.every((sample) => !Number.isNaN(values[sample]));
     const words = (field) => (known(field) ? number(valueIn(field)) : 'no value');
     const lines = shape.fields.map((field) => tipLine([field.name], words(field)));
     const alone = shape.parts.length === 1;
     for (const { name, values } of shape.parts) {
-      lines.push(tipLine([alone ? 'Part' : name], String(values[hit.place] + 1)));
+      lines.push(tipLine([alone ? 'Part' : name], String(values[hit.sample] + 1)));
     }
-    const head = shape.site === 'vertex' ? shape.name : `${shape.name}, ${shape.site} ${hit.place}`;
+    const head = shape.site === 'vertex' ? shape.name : `${shape.name}, ${shape.site} ${hit.sample}`;
     tooltip.show(event.clientX, event.clientY, tipHead(head), ...lines);
     const data = this.channel.of(shape);
     const value = data && data.values && known(data) ? valueIn(data) : null;
@@ -310,7 +310,7 @@ export class ShapeView {
   }
 
   resized() {
-    const width = this.place.clientWidth;
+    const width = this.container.clientWidth;
     if (width !== this.width) {
       this.width = width;
       for (const cell of this.cells) this.showBars(cell);

@@ -22,7 +22,7 @@ export function sliceTools(changed) {
   }), range);
 }
 
-// The plane in the coordinates of a shape: kept is where dot(normal, x) <= at. The half towards the viewer is cut off.
+// The plane in the coordinates of a shape; dot(normal, x) <= at is retained. The half towards the viewer is cut off.
 export function planeOf({ axis, at }, towardsViewer) {
   const k = axes.indexOf(axis);
   const side = towardsViewer[k] < 0 ? -1 : 1;

@@ -10,14 +10,14 @@ function areaNormal(positions, corner) {
   return cross(difference(vectorAt(positions, 3 * corner + 3), a), difference(vectorAt(positions, 3 * corner + 6), a));
 }
 
-// How much of the area each place has, and the unit normals of the faces (zero where there is none).
-export function measureTriangles({ positions, placeOf, places }) {
-  const weights = new Float64Array(places);
+// How much of the area each sample has, and the unit normals of the faces (zero where there is none).
+export function measureTriangles({ positions, sampleOf, sampleCount }) {
+  const weights = new Float64Array(sampleCount);
   const faceNormals = new Float32Array(positions.length / 3);
-  for (let i = 0; i < placeOf.length; i += 3) {
+  for (let i = 0; i < sampleOf.length; i += 3) {
     const normal = areaNormal(positions, i);
     const area = Math.sqrt(dot(normal, normal));
-    for (const corner of [i, i + 1, i + 2]) weights[placeOf[corner]] += area;
+    for (const corner of [i, i + 1, i + 2]) weights[sampleOf[corner]] += area;
     faceNormals.set(area > 0 ? scaled(normal, 1 / area) : [0, 0, 0], i);
   }
   const total = weights.reduce((sum, weight) => sum + weight, 0) || 1;
@@ -35,9 +35,9 @@ export function cornerNormals({ positions, faceNormals, vertexOf }) {
   const smooth = Math.cos((smoothEdgeDegrees * Math.PI) / 180);
   const normals = new Float32Array(3 * vertexOf.length);
   vertexOf.forEach((vertex, corner) => {
-    const own = vectorAt(faceNormals, corner - (corner % 3));
+    const faceNormal = vectorAt(faceNormals, corner - (corner % 3));
     const mean = unit(vectorAt(sums, 3 * vertex));
-    normals.set(dot(mean, own) > smooth ? mean : own, 3 * corner);
+    normals.set(dot(mean, faceNormal) > smooth ? mean : faceNormal, 3 * corner);
   });
   return normals;
 }

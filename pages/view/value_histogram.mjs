@@ -7,10 +7,10 @@ import { shortened } from '../common/words.mjs';
 // Shares of the area in so many bins from low to high; values beyond are in the first and in the last.
 export function binShares(values, weights, low, high, bins) {
   const shares = new Array(bins).fill(0);
-  values.forEach((value, place) => {
+  values.forEach((value, sample) => {
     if (Number.isNaN(value)) return;
     const bin = high > low ? Math.floor((bins * (value - low)) / (high - low)) : 0;
-    shares[Math.max(0, Math.min(bins - 1, bin))] += weights[place];
+    shares[Math.max(0, Math.min(bins - 1, bin))] += weights[sample];
   });
   return shares;
 }
@@ -27,10 +27,10 @@ export function selectionAfter(selected, { key, shiftKey }, bins) {
 }
 
 // Draws the bars and axes. Returns the drawing, its bars and the scale of the values.
-function drawBars(place, { shares, low, high, label, size, colourOf, ticks, title, mark }) {
+function drawBars(container, { shares, low, high, label, size, colourOf, ticks, title, mark }) {
   const bins = shares.length;
   const { svg, area, width, height } =
-    drawing(place, { ...size, left: 60, right: 12, top: 8, bottom: 42, label });
+    drawing(container, { ...size, left: 60, right: 12, top: 8, bottom: 42, label });
   const x = d3.scaleLinear([low, high > low ? high : low + 1], [0, width]);
   const y = d3.scaleLinear([0, Math.max(...shares) || 1], [height, 0]).nice(3);
   y.domain([0, Math.min(1, y.domain()[1])]);
@@ -55,9 +55,9 @@ function drawBars(place, { shares, low, high, label, size, colourOf, ticks, titl
 
 // Draws a histogram. chosen(first, last) receives the bins that are brushed, or nothing where none are. Returns what
 // moves its marks from outside: mark(value) and select(first, last).
-export function valueHistogram(place, options) {
+export function valueHistogram(container, options) {
   const { shares, chosen } = options;
-  const { svg, area, width, height, bars, x } = drawBars(place, options);
+  const { svg, area, width, height, bars, x } = drawBars(container, options);
   const bins = shares.length;
   const edge = (bin) => (width * bin) / bins;
   const marked = area.append('line').attr('class', 'level').attr('y1', 0).attr('y2', height).style('display', 'none');

@@ -169,9 +169,9 @@ def array_of(values: Any, what: str, with_bools: bool = False) -> _numpy.ndarray
 
 def _numbers_of_objects(array: _numpy.ndarray, what: str, with_bools: bool) -> _numpy.ndarray:
     bools = (bool, _numpy.bool_)
-    for place, value in _numpy.ndenumerate(array):
+    for index, value in _numpy.ndenumerate(array):
         if not (with_bools if isinstance(value, bools) else isinstance(value, _numbers.Real)):
-            where = f"entry {', '.join(map(str, place))} (counted from 0)"
+            where = f"entry {', '.join(map(str, index))} (counted from 0)"
             raise InputError(f"{what} must be real numbers; {where} is {_shown(value)}")
     whole = array.size > 0 and all(isinstance(value, (_numbers.Integral, *bools)) for value in array.flat)
     try:
@@ -197,7 +197,7 @@ def _comparable(name: Any) -> Any:
 
 
 def check_order(indexes: Iterable[tuple[str, Optional[list[Any]]]]) -> None:
-    """Rejects pandas objects whose rows are in different orders: they would be taken by position.
+    """Rejects pandas objects whose rows are in different orders: they would be matched by position.
 
     indexes: what each describes and its index, None if it has none. Indexes with different names are not compared.
     """
@@ -247,9 +247,9 @@ def square_matrix(distances: Any, accepts_condensed: bool = False) -> _numpy.nda
     if array.ndim == 1 and accepts_condensed:
         return _square_of_condensed(_exact_doubles(array, "distances"))
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
-        given = kind_of(distances) if array.ndim == 0 else shape_text(array)
+        found = kind_of(distances) if array.ndim == 0 else shape_text(array)
         hint = "; scipy.spatial.distance.squareform() makes a condensed vector square" if array.ndim == 1 else ""
-        raise InputError(f"distances must be n x n, not {given}{hint}")
+        raise InputError(f"distances must be n x n, not {found}{hint}")
     check_order([("rows of distances", index_of(distances)), ("columns of distances", index_of(distances, "columns"))])
     matrix = _exact_doubles(array, "distances")
     missing = _numpy.flatnonzero(_numpy.isnan(matrix.diagonal()))

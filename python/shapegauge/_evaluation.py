@@ -154,7 +154,7 @@ def _check_text(array: _numpy.ndarray, nouns: str) -> None:
                              "of missing values; give a list, or an array of dtype=object")
 
 
-def _check_kinds(classes: Sequence[Any], place: Callable[[int], str]) -> None:
+def _check_kinds(classes: Sequence[Any], row_text: Callable[[int], str]) -> None:
     """Rejects labels that differ only in their type: 1 and "1", 1 and True."""
     first: dict[str, tuple[int, Any]] = {}
     for row, label in enumerate(classes):
@@ -163,8 +163,8 @@ def _check_kinds(classes: Sequence[Any], place: Callable[[int], str]) -> None:
         for text in {str(label), str(int(label)) if isinstance(label, bool) else str(label)}:
             earlier, other = first.setdefault(text, (row, label))
             if type(other) is not type(label):
-                raise InputError(f"the labels of rows {place(earlier)} and {place(row)} (counted from 0) are {other!r} and "
-                                 f"{label!r}, which differ only in type; convert them to one type")
+                raise InputError(f"the labels of rows {row_text(earlier)} and {row_text(row)} (counted from 0) are "
+                                 f"{other!r} and {label!r}, which differ only in type; convert them to one type")
 
 
 def _label_list(labels: Any, nouns: str = "labels") -> list[Any]:
@@ -196,7 +196,7 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
                    targets_from: Optional[int] = None) -> tuple[list[Any], list[int]]:
     """The names of the classes, ascending, and each model's number among them, -1 where it has none. Labels from the
     index targets_from on are those of targets."""
-    def place(row: int) -> str:
+    def row_text(row: int) -> str:
         if targets_from is None:
             return str(row)
         return f"{row} of labels" if row < targets_from else f"{row - targets_from} of targets"
@@ -209,16 +209,16 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
     missing = [row for row, label in enumerate(labels) if _is_missing(label)]
     if missing and missing_labels == "error":
         found = "label is missing" if len(missing) == 1 else "labels are missing"
-        raise InputError(f"{len(missing)} {found}, in {_rows_text([place(row) for row in missing])} (counted from 0); leave "
+        raise InputError(f"{len(missing)} {found}, in {_rows_text(list(map(row_text, missing)))} (counted from 0); leave "
                          'these models out, or use missing_labels="no_class": they are then neither queries nor relevant')
     hidden = set(missing)
-    classes: list[Any] = [None if row in hidden else _label(label, place(row)) for row, label in enumerate(labels)]
-    _check_kinds(classes, place)
+    classes: list[Any] = [None if row in hidden else _label(label, row_text(row)) for row, label in enumerate(labels)]
+    _check_kinds(classes, row_text)
     if len({type(label) is str for row, label in enumerate(classes) if row not in hidden}) == 2:
         classes = [label if label is None else str(label) for label in classes]  # numbers and text are text
     names = sorted({label for row, label in enumerate(classes) if row not in hidden})
     for text in _native.missing_value_words:
-        rows = [place(row) for row, label in enumerate(classes) if label == text]
+        rows = [row_text(row) for row, label in enumerate(classes) if label == text]
         if rows:
             warn([f'the label of {_rows_text(rows)} (counted from 0) is the text "{text}", which many programs write for '
                   'missing values; if these models are unlabelled, give None and missing_labels="no_class"'])

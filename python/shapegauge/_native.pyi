@@ -101,7 +101,7 @@ def run(
 
 def file_safe_name(name: str) -> str: ...
 
-class WantedMethod:
+class MethodRequest:
     def __init__(self, configuration: str, source: str, signature: str, articulated: bool) -> None: ...
 
 class Index:
@@ -127,7 +127,7 @@ def write_page(page: str, text: str) -> None: ...
 def open_index(
     collection: str,
     file: Optional[str],
-    wanted: WantedMethod,
+    request: MethodRequest,
     configuration_file: str,
     update: bool,
     cache: Optional[str],

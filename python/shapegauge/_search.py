@@ -91,10 +91,10 @@ class Index:
     def __init__(self, collection: PathLike, index: Optional[PathLike] = None, *,
                  method: Union[None, PathLike, _abc.Mapping[str, Any]] = None, signature: str = "", articulated: bool = False,
                  update: bool = True, cache: Optional[PathLike] = None, threads: int = 0, on_progress: Optional[Progress] = None) -> None:
-        wanted, method_file = _wanted_method(method, word(signature, "signature"), switch(articulated, "articulated"))
+        request, method_file = _method_request(method, word(signature, "signature"), switch(articulated, "articulated"))
         self._threads = number_of_threads(threads)
         self._native = _native.open_index(path_of(collection, "collection"),
-                                          None if index is None else path_of(index, "index"), wanted, method_file,
+                                          None if index is None else path_of(index, "index"), request, method_file,
                                           switch(update, "update"),
                                           "" if cache == "" else None if cache is None else path_of(cache, "cache"),
                                           self._threads, progress_of(on_progress))
@@ -143,13 +143,14 @@ class Index:
         existing page. An unusable single query raises InputError; in a list, its Answer has the failure.
         """
         several = isinstance(query, list)
-        given = [_query(one) for one in (query if several else [query])]
+        queries = [_query(one) for one in (query if several else [query])]
         file = None if page is None else path_of(page, "page")
         if file is not None:
-            self._native.check_page(given, file, switch(replace, "replace"))
-        title = f"{len(given)} {'query' if len(given) == 1 else 'queries'}"
-        answers, html = self._native.search(given, number_of(k, "k", REGISTERED["options"]["search"]["count"]), switch(rerank, "rerank"),
-                                            None if file is None else title, word(up, "up"), self._threads, progress_of(on_progress))
+            self._native.check_page(queries, file, switch(replace, "replace"))
+        title = f"{len(queries)} {'query' if len(queries) == 1 else 'queries'}"
+        count = number_of(k, "k", REGISTERED["options"]["search"]["count"])
+        answers, html = self._native.search(queries, count, switch(rerank, "rerank"), None if file is None else title,
+                                            word(up, "up"), self._threads, progress_of(on_progress))
         found = [self._answer(*answer) for answer in answers]
         warn(self._native.notes)
         if not several and found[0].failure:
@@ -164,21 +165,21 @@ class Index:
         return Answer(query, None if member is None else self._models[member][0], found, failure)
 
 
-def _wanted_method(method: Any, signature: str, articulated: bool) -> tuple[_native.WantedMethod, str]:
+def _method_request(method: Any, signature: str, articulated: bool) -> tuple[_native.MethodRequest, str]:
     """Returns the method, and the file that its index is named after."""
     if articulated and method is not None:
         raise InputError("method and articulated=True exclude each other; omit one")
     if method is None:
         if signature:
             raise InputError("signature requires method, the configuration that defines it")
-        return _native.WantedMethod("", "", "", articulated), ""
+        return _native.MethodRequest("", "", "", articulated), ""
     if isinstance(method, _abc.Mapping):
         document = plain(method, "method")
         name = document.get("name", "method")
-        return (_native.WantedMethod(_json.dumps(document), "method", signature, False),
+        return (_native.MethodRequest(_json.dumps(document), "method", signature, False),
                 f"{_os.path.basename(word(name, 'method.name'))}.json")
     file = path_of(method, "method")
-    return _native.WantedMethod("", file, signature, False), file
+    return _native.MethodRequest("", file, signature, False), file
 
 
 def _query(query: Any) -> Any:

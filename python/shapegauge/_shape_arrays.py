@@ -18,8 +18,8 @@ ShapeArrays = Tuple[_numpy.ndarray, _numpy.ndarray, _numpy.ndarray]
 def settings_after(vertices: Any, faces: Any, *settings: tuple[Any, Any]) -> tuple[Any, ...]:
     """Returns the faces and the settings. settings: values, each with its default, in the order of the arguments.
 
-    Settings may follow an object, or the points of a cloud, in the place of faces: sdf(mesh, "cone_sdf", 0.05). They are
-    moved to their own places then.
+    Settings may follow an object, or the points of a cloud, instead of faces: sdf(mesh, "cone_sdf", 0.05). They are then
+    moved to their own parameters.
     """
     values = [value for value, _ in settings]
     is_setting = isinstance(faces, (str, _numbers.Number))
@@ -27,10 +27,11 @@ def settings_after(vertices: Any, faces: Any, *settings: tuple[Any, Any]) -> tup
         return (faces, *values)
     if not is_setting:
         raise InputError(f"the {type(vertices).__name__} already has faces; leave faces out")
-    is_given = [type(value) is not type(default) or value != default for value, default in settings]
-    if is_given[-1] and all(is_given):
+    is_set = [type(value) is not type(default) or value != default for value, default in settings]
+    if is_set[-1] and all(is_set):
         raise TypeError(f"too many positional arguments after the {type(vertices).__name__}: {values[-1]!r}")
-    return (None, faces, *(before if given else own for before, given, own in zip(values, is_given, values[1:])))
+    moved = zip(values, is_set, values[1:])
+    return (None, faces, *(previous if is_moved else value for previous, is_moved, value in moved))
 
 
 def is_shape_object(value: Any) -> bool:
@@ -110,13 +111,13 @@ def _arrays_of_object(shape: Any) -> tuple[Any, Any, Any]:
 
 
 def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
-    """Vertices, faces and normals as arrays, from arrays or from one object in the place of vertices."""
+    """Vertices, faces and normals as arrays, from arrays or from one object instead of vertices."""
     if is_shape_object(vertices):
         if faces is not None:
             raise InputError(f"the {type(vertices).__name__} already has faces; leave faces out")
-        vertices, faces, own_normals = _arrays_of_object(vertices)
+        vertices, faces, object_normals = _arrays_of_object(vertices)
         is_cloud = faces is None or len(faces) == 0
-        normals = own_normals if normals is None and is_cloud else normals
+        normals = object_normals if normals is None and is_cloud else normals
     if isinstance(vertices, (str, bytes, _os.PathLike)):
         raise InputError("vertices must be n x 3, not the path of a file: read it with read()")
     if isinstance(vertices, (tuple, list)) and len(vertices) == 2 and getattr(vertices[0], "ndim", 0) == 2:
@@ -160,14 +161,14 @@ def _split_quads(vertices: _numpy.ndarray, faces: Any) -> Any:
 
 def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
     array = array_of(values, what)
-    wanted = "n x 3, or n x 4 for quads" if what == "faces" else "n x 3"
+    expected = "n x 3, or n x 4 for quads" if what == "faces" else "n x 3"
     if array.ndim == 0:
-        raise InputError(f"{what} must be {wanted}, not {kind_of(values)}")
+        raise InputError(f"{what} must be {expected}, not {kind_of(values)}")
     if array.size == 0 and array.ndim <= 2 and (array.ndim == 1 or array.shape[0] == 0):
         array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
         hint = "; split polygons into triangles first" if what == "faces" and array.ndim == 2 else ""
-        raise InputError(f"{what} must be {wanted}, not {shape_text(array)}{hint}")
+        raise InputError(f"{what} must be {expected}, not {shape_text(array)}{hint}")
     if kind is _numpy.int32 and array.size > 0:
         if array.dtype.kind not in "iu":
             raise InputError(f"{what} must be whole numbers, not {array.dtype}; convert them with astype(int)")

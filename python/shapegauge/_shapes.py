@@ -139,14 +139,14 @@ def sdf(vertices: Any, faces: Any = None, method: Union[str, float] = "offset_sd
         raise InputError(f"method must be {', '.join(others)} or {last}, not {shown}")
     settings = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle_degrees": opening_angle_degrees,
                 "engine": engine, "postprocess": postprocess, "separation_angle_degrees": separation_angle_degrees}
-    given = {name: value for name, value in settings.items() if value is not None}
-    for name in given:
+    method_settings = {name: value for name, value in settings.items() if value is not None}
+    for name in method_settings:
         if name not in _SDF_SETTINGS[method]:
             other = next(other for other, settings in _SDF_SETTINGS.items() if name in settings)
             raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset_sdf":
-        given = {**_SDF_DEFAULTS, **given}
-    found = _field(shape_arrays(vertices, faces, normals), method, at, given, remove_outliers, threads)
+        method_settings = {**_SDF_DEFAULTS, **method_settings}
+    found = _field(shape_arrays(vertices, faces, normals), method, at, method_settings, remove_outliers, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
@@ -168,12 +168,12 @@ def normals(vertices: Any, faces: Any = None, offset: Union[float, str] = "auto"
     return found["normals"]
 
 
-def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str, Any]) -> str:
+def _with_settings(function: str, fixed: Mapping[str, str], settings: Mapping[str, Any]) -> str:
     """Returns the settings, with those of the function, as JSON."""
-    for name in own:
+    for name in fixed:
         if name in settings:
             raise InputError(f"{function}() takes no setting {name}")
-    return _json.dumps({**{name: plain(value, name) for name, value in settings.items()}, **own})
+    return _json.dumps({**{name: plain(value, name) for name, value in settings.items()}, **fixed})
 
 
 @with_settings([("Settings", listing({

@@ -21,12 +21,13 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array bag_of_features_table = {
-    option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Number of words in the codebook."),
-    option_of<&BagOfFeaturesOptions::soft>("soft", "Assign each sample to all words, with Gaussian weights."),
-    with_unit(
-        "mean distances of a word from the nearest other",
-        option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100},
-                                                   "Standard deviation of the Gaussian weights of soft assignment.")),
+    option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000},
+                                            "Number of words (cluster centres) in the codebook."),
+    option_of<&BagOfFeaturesOptions::soft>(
+        "soft", "Assign samples to all words with Gaussian weights, not only to the nearest."),
+    with_unit("mean distances of a word from the nearest other",
+              option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100},
+                                                         "With soft: standard deviation of the Gaussian weights.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
                                                   "Divide each field by its standard deviation over the data set."),
     option_of<&BagOfFeaturesOptions::samples_per_shape>(
@@ -34,8 +35,7 @@ constexpr std::array bag_of_features_table = {
         "Number of samples per shape from which the codebook is learnt."),
     option_of<&BagOfFeaturesOptions::iterations>("iterations", {.low = 1, .high = 10'000},
                                                  "Maximum number of k-means iterations."),
-    option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647},
-                                           "Seed of k-means; equal seeds give equal codebooks."),
+    option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Random seed of k-means."),
 };
 constexpr auto bag_of_features_parameters = parameters_of(bag_of_features_table);
 
@@ -74,12 +74,12 @@ void append_samples(ShapeFields fields, int count, std::vector<Eigen::RowVectorX
     if (vector_at(fields, i)) total += fields.front().weights[i];
   }
   double passed = 0;
-  int taken = 0;
+  int appended = 0;
   for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
     const auto vector = vector_at(fields, i);
     if (!vector) continue;
     passed += fields.front().weights[i];
-    for (; taken < count && (taken + 0.5) * total < passed * count; ++taken) samples.push_back(*vector);
+    for (; appended < count && (appended + 0.5) * total < passed * count; ++appended) samples.push_back(*vector);
   }
 }
 
@@ -222,7 +222,8 @@ Descriptor bag_of_features_descriptor() {
   constexpr std::size_t max_fields = 1000;
   return {.name = "bag_of_features",
           .description =
-              "Bag of features: shares of the surface by codebook word of several fields (Sivic and Zisserman 2003).",
+              "Bag of features: area fractions by word of a learnt codebook of field values (Sivic and Zisserman "
+              "2003).",
           .parameters = bag_of_features_parameters,
           .min_fields = 1,
           .max_fields = max_fields,

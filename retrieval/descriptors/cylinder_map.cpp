@@ -34,7 +34,7 @@ std::optional<PlaneCut> cut_at(const std::array<CylinderPoint, 3>& corners, doub
     const CylinderPoint* a = &corners[k];
     const CylinderPoint* b = &corners[(k + 1) % 3];
     if ((a->row <= row) == (b->row <= row)) continue;
-    if (b->row < a->row) std::swap(a, b);  // two triangles that share an edge are cut at the same place, to the bit
+    if (b->row < a->row) std::swap(a, b);  // two triangles that share an edge are cut at exactly the same point
     ends[found++] = a->across + (row - a->row) / (b->row - a->row) * (b->across - a->across);
   }
   if (found < 2) return std::nullopt;

@@ -21,7 +21,7 @@ namespace shapegauge {
 
 namespace {
 
-std::vector<Descriptor> own_descriptors() {
+std::vector<Descriptor> builtin_descriptors() {
   return {
       joint_histogram_descriptor(),
       bag_of_features_descriptor(),
@@ -52,12 +52,12 @@ void check_descriptor(const Descriptor& added) {
 
 Eigen::VectorXf call_with_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use) {
   if (input.proxy != nullptr) return use(*input.proxy);
-  ProxySource own(input.shape);
-  return use(own);
+  ProxySource proxy(input.shape);
+  return use(proxy);
 }
 
 Registry<Descriptor>& descriptors() {
-  static Registry<Descriptor> all("descriptor", own_descriptors(),
+  static Registry<Descriptor> all("descriptor", builtin_descriptors(),
                                   has_functions<&Descriptor::describe, &Descriptor::distance>, check_descriptor);
   return all;
 }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array geodesic_spectrum_table = {
     option_of<&GeodesicSpectrumOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 100},
-                                                     "Number of eigenvalues after the largest one."),
+                                                     "Number of eigenvalues after the largest, each relative to it."),
 };
 constexpr auto geodesic_spectrum_parameters = parameters_of(geodesic_spectrum_table);
 
@@ -77,7 +77,7 @@ Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOpt
 
 Descriptor geodesic_spectrum_descriptor() {
   return {.name = "geodesic_spectrum",
-          .description = "Eigenvalues of the geodesic distances between landmarks (after Smeets et al. 2012).",
+          .description = "Eigenvalues of the geodesic distance matrix of landmarks (after Smeets et al. 2012).",
           .parameters = geodesic_spectrum_parameters,
           .version = version_on_proxy(1),
           .describe =

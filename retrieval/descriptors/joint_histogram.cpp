@@ -22,14 +22,17 @@ namespace {
 constexpr std::string_view name = "joint_histogram";
 constexpr std::array joint_histogram_table = {
     option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Number of bins of the axis."),
-    with_unit("bins",
-              option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
-                                                    "Standard deviation of a Gaussian that smooths along the axis.")),
+    with_unit("bins", option_of<&JointAxis::smoothing_bins>(
+                          "smoothing_bins", {.low = 0, .high = 1000},
+                          "Standard deviation of Gaussian smoothing along the axis; 0: none.")),
     option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values of each shape by their mean first."),
-    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range of the field's values."),
-    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range of the field's values."),
-    option_of<&JointAxis::per_shape>("per_shape", "Use each shape's own range instead of low and high."),
-    option_of<&JointAxis::over_data_set>("over_data_set", "Use the range over the data set instead of low and high."),
+    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9},
+                               "Lower end of the range; smaller values count in the first bin."),
+    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9},
+                                "Upper end of the range; larger values count in the last bin."),
+    option_of<&JointAxis::per_shape>("per_shape", "Use the field's range on each shape; low and high are ignored."),
+    option_of<&JointAxis::over_data_set>("over_data_set",
+                                         "Use the field's range over the data set; low and high are ignored."),
 };
 constexpr auto joint_histogram_parameters = parameters_of(joint_histogram_table);
 constexpr std::array options_table = {

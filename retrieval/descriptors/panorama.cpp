@@ -23,17 +23,23 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array panorama_table = {
-    option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024},
-                                        "Number of cells around a cylinder; a multiple of 64."),
-    option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024},
-                                         "Number of cells along a cylinder; a multiple of 64."),
+    option_of<&PanoramaOptions::angles>(
+        "angles", {.low = 64, .high = 1024},
+        "Number of cells around the axis of each cylindrical projection; a multiple of 64."),
+    option_of<&PanoramaOptions::heights>(
+        "heights", {.low = 64, .high = 1024},
+        "Number of cells along the axis of each cylindrical projection; a multiple of 64."),
     option_of<&PanoramaOptions::frequencies>("frequencies", {.low = 1, .high = 31},
-                                             "Highest Fourier frequency in either direction."),
-    option_of<&PanoramaOptions::exponent>("exponent", {.low = 0.1, .high = 1}, "Exponent of the Fourier magnitudes."),
-    option_of<&PanoramaOptions::sharpness>("sharpness", {.low = 0.1, .high = 16},
-                                           "Exponent of the cosines between normals and lines of sight."),
-    with_unit("root mean squares of the distance from the centroid",
-              option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100}, "Radius of the cylinders.")),
+                                             "Highest Fourier frequency, around and along the axis."),
+    option_of<&PanoramaOptions::exponent>(
+        "exponent", {.low = 0.1, .high = 1},
+        "Exponent of the Fourier magnitudes; smaller values give weak frequencies more weight."),
+    option_of<&PanoramaOptions::sharpness>(
+        "sharpness", {.low = 0.1, .high = 16},
+        "Exponent of the cosines between normals and lines of sight; larger values fade oblique surfaces."),
+    with_unit("RMS distances from the centroid",
+              option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100},
+                                                  "Radius of the cylinders; surfaces outside are ignored.")),
 };
 constexpr auto panorama_parameters = parameters_of(panorama_table);
 
@@ -216,7 +222,7 @@ Descriptor panorama_descriptor() {
   return {
       .name = "panorama",
       .description =
-          "Fourier magnitudes and wavelet statistics of the views from cylinders about principal axes (Papadakis et "
+          "Fourier magnitudes and wavelet statistics of projections on cylinders about principal axes (Papadakis et "
           "al. 2010).",
       .parameters = panorama_parameters,
       .version = 3,

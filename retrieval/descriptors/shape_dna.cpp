@@ -17,7 +17,8 @@ namespace {
 constexpr std::array shape_dna_table = {
     option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 1000},
                                              "Number of positive eigenvalues, smallest first."),
-    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Divide the k-th eigenvalue by k."),
+    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank",
+                                                "Divide the k-th eigenvalue by k, which equalises their weights."),
 };
 
 struct ShapeDnaSettings {
@@ -28,8 +29,9 @@ struct ShapeDnaSettings {
 constexpr std::array settings_table = {
     nested_option<&ShapeDnaSettings::options, shape_dna_table, 0>(),
     nested_option<&ShapeDnaSettings::options, shape_dna_table, 1>(),
-    option_of<&ShapeDnaSettings::on>(
-        "on", "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for damaged meshes and clouds too."),
+    option_of<&ShapeDnaSettings::on>("on",
+                                     "Laplacian to use. mesh: of the mesh; proxy: of the surface proxy, which also "
+                                     "supports damaged meshes and clouds."),
 };
 constexpr auto shape_dna_parameters = parameters_of(settings_table);
 

@@ -323,10 +323,10 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
   for (Eigen::Index y = 0; y < side; ++y) {
     Eigen::Matrix<double, 1, 2 * zernike_moments> sum = Eigen::Matrix<double, 1, 2 * zernike_moments>::Zero();
     for (Eigen::Index x = 0; x < side; ++x) {
-      const std::complex<double> place((2.0 * static_cast<double>(x) + 1) / pixels - 1,
-                                       (2.0 * static_cast<double>(y) + 1) / pixels - 1);
-      const double radius = std::abs(place);
-      const double angle = std::arg(place);
+      const std::complex<double> position((2.0 * static_cast<double>(x) + 1) / pixels - 1,
+                                          (2.0 * static_cast<double>(y) + 1) / pixels - 1);
+      const double radius = std::abs(position);
+      const double angle = std::arg(position);
       std::array<double, highest_order + 1> powers{};
       for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(radius, static_cast<int>(k));
       for (std::size_t k = 0; radius <= 1 && k < zernike_moments; ++k) {
@@ -378,12 +378,12 @@ std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std:
 }
 
 std::shared_ptr<const SilhouetteFeatures> shared_silhouette_features(int pixels) {
-  constexpr int kept_pixels = 256;  // 18 MB
-  if (pixels > kept_pixels) return std::make_shared<const SilhouetteFeatures>(pixels);
+  constexpr int max_cached_pixels = 256;  // 18 MB
+  if (pixels > max_cached_pixels) return std::make_shared<const SilhouetteFeatures>(pixels);
   static std::mutex mutex;
-  static std::map<int, std::shared_ptr<const SilhouetteFeatures>> kept;
+  static std::map<int, std::shared_ptr<const SilhouetteFeatures>> cached;
   const std::lock_guard lock(mutex);
-  std::shared_ptr<const SilhouetteFeatures>& features = kept[pixels];
+  std::shared_ptr<const SilhouetteFeatures>& features = cached[pixels];
   if (features == nullptr) features = std::make_shared<const SilhouetteFeatures>(pixels);
   return features;
 }

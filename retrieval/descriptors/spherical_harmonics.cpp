@@ -24,12 +24,13 @@ namespace {
 constexpr std::array spherical_harmonics_table = {
     option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256}, "Number of concentric spheres."),
     option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
-                                                     "Number of frequencies per sphere, from 0."),
+                                                     "Number of spherical harmonic degrees per sphere, from 0."),
     with_unit("mean distances from the centroid",
               option_of<&SphericalHarmonicsOptions::width>(
                   "width", {.low = 0.001, .high = 10},
                   "Width w of the Gaussian exp(-(d / w)²) of the distance d to the surface.")),
-    option_of<&SphericalHarmonicsOptions::voxels>("voxels", "Use the voxelised surface instead of the Gaussian."),
+    option_of<&SphericalHarmonicsOptions::voxels>(
+        "voxels", "Use the voxelised surface instead of the Gaussian of the distance to it."),
 };
 constexpr auto spherical_harmonics_parameters = parameters_of(spherical_harmonics_table);
 
@@ -186,8 +187,8 @@ Eigen::VectorXd HarmonicTransform::norms(const Eigen::VectorXd& values) const {
 
 Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options) {
   check_options("spherical_harmonics", spherical_harmonics_table, options);
-  constexpr Eigen::Index places = 20'000;  // that find the centroid and the mean distance to a hundredth
-  const Samples samples = sample_surface(shape, places);
+  constexpr Eigen::Index sample_count = 20'000;  // for the centroid and the mean distance to about 1 %
+  const Samples samples = sample_surface(shape, sample_count);
   const Shape unit = centred(shape, samples);
   if (options.voxels) {
     const Voxels voxels(unit, options.shells);

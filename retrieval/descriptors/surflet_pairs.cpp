@@ -23,9 +23,10 @@ constexpr std::array surflet_pairs_table = {
     option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64},
                                                    "Number of bins of the distance between the points."),
     option_of<&SurfletPairsOptions::angle_bins>("angle_bins", {.low = 2, .high = 16},
-                                                "Number of bins of the cosine of each of the three angles."),
+                                                "Number of bins for the cosine of each of the three angles."),
     option_of<&SurfletPairsOptions::largest_distance>("largest_distance", {.low = 1, .high = 100},
-                                                      "Largest distance in the histogram, in mean distances."),
+                                                      "Upper end of the distance bins, as a multiple of the shape's "
+                                                      "mean pair distance; larger distances count in the last bin."),
 };
 constexpr auto surflet_pairs_parameters = parameters_of(surflet_pairs_table);
 
@@ -48,9 +49,9 @@ class MultilinearHistogram {
     Eigen::Index first = 0;
     std::array<double, dimensions> upper{};  // weight of the upper of two bins
     for (std::size_t d = 0; d < dimensions; ++d) {
-      const double place = std::clamp(point[d] * bins_[d] - 0.5, 0.0, bins_[d] - 1.0);
-      const int below = std::min(static_cast<int>(place), bins_[d] - 2);
-      upper[d] = place - below;
+      const double position = std::clamp(point[d] * bins_[d] - 0.5, 0.0, bins_[d] - 1.0);
+      const int below = std::min(static_cast<int>(position), bins_[d] - 2);
+      upper[d] = position - below;
       first += below * strides_[d];
     }
     for (unsigned corner = 0; corner < 1U << dimensions; ++corner) {

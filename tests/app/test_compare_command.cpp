@@ -47,10 +47,11 @@ class CompareCommand : public CommandTest {
   void write_noisy(const std::string& name, double noise, unsigned seed) const {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(0, noise);
-    Eigen::VectorXd place(60);
-    for (int i = 0; i < 60; ++i) place[i] = i / 6 + normal(random);
-    write_npy(at(name), DistanceMatrix::NullaryExpr(
-                            60, 60, [&](Eigen::Index i, Eigen::Index j) { return std::abs(place[i] - place[j]); }));
+    Eigen::VectorXd positions(60);
+    for (int i = 0; i < 60; ++i) positions[i] = i / 6 + normal(random);
+    write_npy(at(name), DistanceMatrix::NullaryExpr(60, 60, [&](Eigen::Index i, Eigen::Index j) {
+                return std::abs(positions[i] - positions[j]);
+              }));
   }
 };
 
@@ -200,9 +201,9 @@ TEST_F(CompareCommand, GivesFilesOfTheSameNameUniqueMethodNames) {
     for (const auto& method : json["measures"]["FT"]["methods"]) found.push_back(method["method"]);
     return found;
   };
-  const std::vector<std::string> told_apart = names("good.npy x/good.npy");
-  EXPECT_EQ(told_apart[1], "x/good");
-  EXPECT_THAT(told_apart[0], AllOf(testing::EndsWith("/good"), testing::Ne("x/good")));
+  const std::vector<std::string> unique = names("good.npy x/good.npy");
+  EXPECT_EQ(unique[1], "x/good");
+  EXPECT_THAT(unique[0], AllOf(testing::EndsWith("/good"), testing::Ne("x/good")));
   EXPECT_THAT(names("good.npy x/good.npy", "--names ours,theirs"), testing::ElementsAre("ours", "theirs"));
   EXPECT_THAT(compare_matrices("good.npy good.npy").errors, HasSubstr("are the same file"));
   expect_error_line(compare_matrices("good.npy bad.npy", "--names ours"), "1 names for 2 methods");

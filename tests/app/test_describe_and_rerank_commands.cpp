@@ -44,7 +44,7 @@ class DescribeCommand : public CommandTest {
   }
 };
 
-TEST_F(DescribeCommand, FeaturesGiveTheDistancesOfTheDescriptor) {
+TEST_F(DescribeCommand, WrittenFeaturesYieldTheDistancesOfTheDescriptor) {
   ASSERT_EQ(describe(fmt::format("--descriptor d2 -o '{}'", at("f.csv").string())).status, 0);
   const auto distances = [&](const std::string& output, const std::string& distance) {
     return run_executable(
@@ -143,7 +143,7 @@ TEST_F(DescribeCommand, FeaturesAreEvaluatedWithTheDistanceOfTheirDescriptor) {
                        "distances, not features"}});
 }
 
-/// Distances of ten places on a line.
+/// Distances of ten points on a line.
 DistanceMatrix line() {
   DistanceMatrix distances(10, 10);
   for (int i = 0; i < 10; ++i) {

@@ -45,9 +45,10 @@ class EvaluateCommand : public CommandTest {
 TEST_F(EvaluateCommand, ScoresStandardInputLikeAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
-    const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
+    const std::string format_option =
+        format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
     const Outcome piped =
-        succeeded(run("evaluate - --labels @toy.cla --format json" + told + " < " + quoted("toy." + format)));
+        succeeded(run("evaluate - --labels @toy.cla --format json" + format_option + " < " + quoted("toy." + format)));
     const nlohmann::json json = nlohmann::json::parse(piped.output);
     EXPECT_EQ(json.at("file"), "-");
     EXPECT_EQ(json.at("method"), "standard input");

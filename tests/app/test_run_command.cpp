@@ -125,7 +125,7 @@ TEST_F(ReplayReport, ReportsOutputsChangedByAnOverriddenSetting) {
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/per_shape.npy\n"));
 }
 
-TEST_F(ReplayReport, RepeatsShapeComparisons) {
+TEST_F(ReplayReport, ComparesTheOutputsOfARepeatedShapeComparison) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
     {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");

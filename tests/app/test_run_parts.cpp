@@ -65,7 +65,7 @@ class RunParts : public SmallRun {
     EXPECT_EQ(run("run @small.json --no-cache --output @alone").status, status);
     return results_in(at("alone"));
   }
-  [[nodiscard]] std::size_t fields_kept() const {
+  [[nodiscard]] std::size_t cached_fields() const {
     return cache_contents(at("cache")).by_kind.at(static_cast<std::size_t>(EntryKind::field)).entries;
   }
 };
@@ -96,21 +96,21 @@ TEST_F(RunParts, InParallelGiveTheResultsOfOneProcess) {
 TEST_F(RunParts, ContinueFromTheCacheAfterBeingKilled) {
   take_long();
   BackgroundRun part(arguments("1/2"), at("errors"));
-  ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 2; }));
+  ASSERT_TRUE(part.wait_until([&] { return cached_fields() >= 2; }));
   part.send(SIGKILL);
   EXPECT_EQ(part.wait(), -SIGKILL);
-  const std::size_t kept = fields_kept();
-  EXPECT_LT(kept, 5U);
+  const std::size_t cached = cached_fields();
+  EXPECT_LT(cached, 5U);
   const Outcome again = succeeded(run_part("1/2"));
   EXPECT_EQ(again.errors, "") << "nothing is damaged";
-  EXPECT_GE(fields_kept(), 5U);
+  EXPECT_GE(cached_fields(), 5U);
   EXPECT_EQ(combined(), results_of_one());
 }
 
 TEST_F(RunParts, SayHowToContinueWhenTerminated) {
   take_long();
   BackgroundRun part(arguments("1/1"), at("errors"));
-  ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 1; }));
+  ASSERT_TRUE(part.wait_until([&] { return cached_fields() >= 1; }));
   part.send(SIGTERM);
   EXPECT_NE(part.wait(), 0);
   EXPECT_THAT(text_of(at("errors")), HasSubstr("Completed shapes are in the cache; the same command continues"));

@@ -44,7 +44,7 @@ class RunWithCache : public SmallRun {
   [[nodiscard]] Outcome run_with_cache(const std::string& output) const {
     return run(output, "--cache " + quoted("cache"));
   }
-  [[nodiscard]] std::size_t fields_kept() const {
+  [[nodiscard]] std::size_t cached_fields() const {
     return cache_contents(at("cache")).by_kind.at(static_cast<std::size_t>(EntryKind::field)).entries;
   }
   [[nodiscard]] json cache_use(const std::string& output) const {
@@ -72,20 +72,20 @@ TEST_F(RunWithCache, ReportsHowManyResultsCameFromTheCache) {
 
 TEST_F(RunWithCache, LosesAtMostTheCurrentShapeWhenKilled) {
   write_configuration(2000);
-  std::size_t kept = 0;
+  std::size_t cached = 0;
   {
     BackgroundRun killed(arguments("out"), at("errors"));
-    ASSERT_TRUE(killed.wait_until([&] { return fields_kept() >= 3; })) << text_of(at("errors"));
+    ASSERT_TRUE(killed.wait_until([&] { return cached_fields() >= 3; })) << text_of(at("errors"));
     killed.send(SIGKILL);
     ASSERT_EQ(killed.wait(), -SIGKILL);
-    kept = fields_kept();
-    ASSERT_LT(kept, 9U) << "killed too late to say anything";
+    cached = cached_fields();
+    ASSERT_LT(cached, 9U) << "killed too late to say anything";
   }
   EXPECT_FALSE(fs::exists(at("out/manifest.json")));
   const Outcome outcome = run_with_cache("out");
   EXPECT_EQ(outcome.status, 0) << "the killed run's lock is gone with it";
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", kept}, {"computed", 9 - kept}}));
+  EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", cached}, {"computed", 9 - cached}}));
   ASSERT_EQ(run("fresh", "--no-cache").status, 0);
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
@@ -94,7 +94,7 @@ TEST_F(RunWithCache, LeavesNoInvalidFilesWhenKilled) {
   write_configuration(2000);
   for (std::size_t fields = 1; fields < 9; fields += 2) {
     BackgroundRun killed(arguments("out"), at("errors"));
-    killed.wait_until([&] { return fields_kept() >= fields; });
+    killed.wait_until([&] { return cached_fields() >= fields; });
     killed.send(SIGKILL);
     killed.wait();
   }
@@ -105,25 +105,25 @@ TEST_F(RunWithCache, LeavesNoInvalidFilesWhenKilled) {
 
 TEST_F(RunWithCache, ContinuesFromTheCacheAfterAnInterruption) {
   write_configuration(2000);
-  std::size_t kept = 0;
+  std::size_t cached = 0;
   for (const auto& [signal, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     BackgroundRun terminated(arguments("out"), at("errors"));
-    ASSERT_TRUE(terminated.wait_until([&] { return fields_kept() >= kept + 1; })) << text_of(at("errors"));
+    ASSERT_TRUE(terminated.wait_until([&] { return cached_fields() >= cached + 1; })) << text_of(at("errors"));
     terminated.send(signal);
     EXPECT_EQ(terminated.wait(), status);
     EXPECT_THAT(text_of(at("errors")),
                 MatchesRegex("shapegauge: error: interrupted; no results were written[^\n]* in the cache[^\n]*\n"));
     EXPECT_TRUE(fs::is_empty(at("out"))) << "the lock is gone too";
-    kept = fields_kept();
+    cached = cached_fields();
   }
   ASSERT_EQ(run_with_cache("out").status, 0);
-  EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
+  EXPECT_EQ(cache_use("out")["field"]["from_cache"], cached);
 }
 
 TEST_F(RunWithCache, RejectsASecondRunIntoTheSameFolder) {
   write_configuration(1000);
   BackgroundRun first(arguments("out"), at("errors"));
-  ASSERT_TRUE(first.wait_until([&] { return fields_kept() >= 1; })) << text_of(at("errors"));
+  ASSERT_TRUE(first.wait_until([&] { return cached_fields() >= 1; })) << text_of(at("errors"));
   first.send(SIGSTOP);
   const Outcome second = run("out", "--force --no-cache");
   first.send(SIGCONT);
@@ -140,7 +140,7 @@ TEST_F(RunWithCache, TwoRunsCanShareOneCache) {
   EXPECT_EQ(second.status, 0);
   EXPECT_EQ(second.errors + text_of(at("errors")), "");
   EXPECT_EQ(results_in(at("out")), results_in(at("out2")));
-  EXPECT_EQ(fields_kept(), 9U);
+  EXPECT_EQ(cached_fields(), 9U);
 }
 
 TEST_F(RunWithCache, RecomputesDamagedEntriesWithOneWarning) {

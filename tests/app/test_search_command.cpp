@@ -137,7 +137,7 @@ TEST_F(SearchCommand, RejectsMissingCollectionsInvalidIndexesAndUnknownSignature
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 
-TEST_F(SearchCommand, ArticulatedOptionSelectsItsOwnMethodAndIndex) {
+TEST_F(SearchCommand, ArticulatedOptionUsesTheArticulatedMethodAndItsIndex) {
   const Outcome outcome = succeeded(run("search @query.off @models -k 3 --articulated --cache @cache"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));

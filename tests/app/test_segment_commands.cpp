@@ -95,12 +95,12 @@ TEST_F(SegmentCommands, SegmentIgnoresOutliersInTheAutomaticOffset) {
 
 TEST_F(SegmentCommands, SegmentWarnsOfACloudWithAHole) {
   const Shape whole = test::random_points(test::box({2, 2, 0.4}, 1), 6000, 1);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> remaining;
   for (Eigen::Index i = 0; i < whole.vertices.rows(); ++i) {
-    if (whole.vertices(i, 2) < 0.199 || whole.vertices.row(i).head<2>().norm() > 0.4) kept.push_back(i);
+    if (whole.vertices(i, 2) < 0.199 || whole.vertices.row(i).head<2>().norm() > 0.4) remaining.push_back(i);
   }
   for (const bool is_open : {false, true}) {
-    write_off(at("x.off"), is_open ? Shape{whole.vertices(kept, Eigen::all), {}} : whole);
+    write_off(at("x.off"), is_open ? Shape{whole.vertices(remaining, Eigen::all), {}} : whole);
     const Outcome outcome = run("segment @x.off --method paper --offset 5% --replace -o @x.seg");
     EXPECT_EQ(outcome.errors.find("outside on both sides") != std::string::npos, is_open) << outcome.errors;
   }
@@ -158,10 +158,10 @@ TEST_F(SegmentCommands, EvaluateSegmentationScoresMethodsAndHumanSegmentations) 
   ASSERT_EQ(json["methods"].size(), 3U);
   EXPECT_EQ(json["methods"][0]["name"], "good");
   EXPECT_EQ(json["methods"][0]["mean"]["Rand"], 0);
-  // Of 640 faces in two halves, 320 * 320 of the pairs are apart: all wrong on one mesh, none on the other.
-  const double apart = 320.0 * 320 / (640.0 * 639 / 2);
-  EXPECT_NEAR(json["methods"][1]["mean"]["Rand"], apart / 2, 1e-12);
-  EXPECT_NEAR(json["methods"][1]["per_class"]["human"]["Rand"], apart, 1e-12);
+  // Of 640 faces in two halves, 320 * 320 of the pairs are separated: all wrong on one mesh, none on the other.
+  const double separated = 320.0 * 320 / (640.0 * 639 / 2);
+  EXPECT_NEAR(json["methods"][1]["mean"]["Rand"], separated / 2, 1e-12);
+  EXPECT_NEAR(json["methods"][1]["per_class"]["human"]["Rand"], separated, 1e-12);
   EXPECT_EQ(json["methods"][1]["per_class"]["cup"]["Rand"], 0);
   EXPECT_EQ(json["methods"][2]["name"], "people");
 }

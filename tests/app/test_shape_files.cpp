@@ -30,7 +30,7 @@ class ShapeFileCommands : public CommandTest {
   }
 };
 
-TEST_F(ShapeFileCommands, WriteTheSameResultForOneAndSeveralFiles) {
+TEST_F(ShapeFileCommands, WriteTheSameResultPerFileForOneAndSeveralFiles) {
   for (const std::string command : {"sdf --method cone_sdf", "normals", "convert", "perturb --noise 0.01"}) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
@@ -122,9 +122,9 @@ TEST_F(ShapeFileCommands, PrintPositionVolumeGenusAndWinding) {
   const auto of_two = info("two.off", two);
   EXPECT_EQ(of_two["genus"], 0);
   EXPECT_NEAR(of_two["volume"].get<double>(), 12, 1e-12);
-  Shape beside = test::flipped(test::box({1, 1, 1}, 1));
-  beside.vertices.array() += 9;
-  const auto mixed = info("mixed.off", test::joined({box, beside}));
+  Shape reversed_box = test::flipped(test::box({1, 1, 1}, 1));
+  reversed_box.vertices.array() += 9;
+  const auto mixed = info("mixed.off", test::joined({box, reversed_box}));
   EXPECT_EQ(mixed["winding"], "mixed");
   EXPECT_NEAR(mixed["volume"].get<double>(), 7, 1e-12);
   Shape open = box;

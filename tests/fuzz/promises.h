@@ -10,8 +10,8 @@
 namespace shapegauge::fuzz {
 
 /// Throws std::logic_error if the guarantee is violated.
-inline void promise(bool kept, std::string_view what) {
-  if (!kept) throw std::logic_error("broken promise: " + std::string(what));
+inline void promise(bool holds, std::string_view what) {
+  if (!holds) throw std::logic_error("broken promise: " + std::string(what));
 }
 
 /// Runs the function. Returns false on InputError, whose message must be one line that begins with `source`.

@@ -19,7 +19,7 @@ bool finds_nothing(const Matrix& distances, int query) {
 // h[i], for ranks i = 1 ... of the list without the query, which is empty if it finds nothing. h[0] is not used.
 std::vector<int> hits_without_query(const Matrix& distances, const std::vector<int>& labels, int query,
                                     const std::vector<int>& tie_order) {
-  const auto place = [&](int model) {
+  const auto tie_rank = [&](int model) {
     return tie_order.empty() ? model : tie_order.at(static_cast<std::size_t>(model));
   };
   if (finds_nothing(distances, query)) return {0};
@@ -31,7 +31,8 @@ std::vector<int> hits_without_query(const Matrix& distances, const std::vector<i
     for (int other = 0; other < count; ++other) {
       if (other == query || other == model) continue;
       const bool nearer = distances(query, other) < distances(query, model);
-      const bool tied_and_earlier = distances(query, other) == distances(query, model) && place(other) < place(model);
+      const bool tied_and_earlier =
+          distances(query, other) == distances(query, model) && tie_rank(other) < tie_rank(model);
       if (nearer || tied_and_earlier) ++rank;
     }
     h.at(static_cast<std::size_t>(rank)) =

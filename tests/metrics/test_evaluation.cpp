@@ -345,8 +345,8 @@ TEST(Evaluation, MacroCurveIsTheMeanOfTheCurvesOfClasses) {
   std::fill(task.target_classes.begin() + 20, task.target_classes.end(), 1);
   DistanceMatrix distances(3, 40);
   for (Eigen::Index column = 0; column < 40; ++column) {
-    const auto place = static_cast<double>(column);
-    distances.col(column) << place, place + (column == 20 ? -19.5 : 0), column < 3 ? place : 100 - place;
+    const auto position = static_cast<double>(column);
+    distances.col(column) << position, position + (column == 20 ? -19.5 : 0), column < 3 ? position : 100 - position;
   }
   const Evaluation result = evaluate(distances, task, {.curve = CurveKind::psb});
   ASSERT_EQ(result.micro_curve.recall.front(), 0.05);

@@ -173,10 +173,10 @@ RC_GTEST_PROP(RankComparison, GroupsMatchThePValuesOfPairs, ()) {
   Eigen::MatrixXd values(sets, methods);
   for (double& value : values.reshaped()) value = *rc::gen::inRange(0, 10);
   const RankComparison comparison = compare_by_ranks(values);
-  std::vector<std::size_t> place(comparison.order.size());
-  for (std::size_t i = 0; i < place.size(); ++i) place[comparison.order[i]] = i;
+  std::vector<std::size_t> rank(comparison.order.size());
+  for (std::size_t i = 0; i < rank.size(); ++i) rank[comparison.order[i]] = i;
   for (const RankDifference& pair : comparison.pairs) {
-    const std::pair<std::size_t, std::size_t> ends = std::minmax(place[pair.first], place[pair.second]);
+    const std::pair<std::size_t, std::size_t> ends = std::minmax(rank[pair.first], rank[pair.second]);
     const bool together = std::ranges::any_of(comparison.groups, [&](const HomogeneousGroup& group) {
       return group.first <= ends.first && ends.second <= group.last;
     });

@@ -12,7 +12,7 @@ namespace {
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-constexpr double last_place = 1e-15;
+constexpr double curve_rounding = 1e-15;
 
 TEST(RecallLevels, AreTwentyUnderThePsbAndElevenFromZeroUnderThePaperProtocol) {
   const auto psb = recall_levels(CurveKind::psb);
@@ -33,14 +33,14 @@ RankedList psb_plot_example() {
 TEST(PrecisionAtRecallLevels, PsbCurveInterpolatesLinearlyBetweenHits) {
   const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), CurveKind::psb);
   const auto at_recall = [&](int percent) { return precision[percent / 5 - 1]; };
-  EXPECT_NEAR(at_recall(20), 1, last_place);
-  EXPECT_NEAR(at_recall(40), 0.5, last_place);
-  EXPECT_NEAR(at_recall(60), 0.3, last_place);
-  EXPECT_NEAR(at_recall(80), 4.0 / 41, last_place);
-  EXPECT_NEAR(at_recall(100), 5.0 / 44, last_place);
-  EXPECT_NEAR(at_recall(30), 0.75, last_place);
-  EXPECT_NEAR(at_recall(25), 0.875, last_place);
-  EXPECT_NEAR(at_recall(95), 0.25 * 4 / 41 + 0.75 * 5 / 44, last_place);
+  EXPECT_NEAR(at_recall(20), 1, curve_rounding);
+  EXPECT_NEAR(at_recall(40), 0.5, curve_rounding);
+  EXPECT_NEAR(at_recall(60), 0.3, curve_rounding);
+  EXPECT_NEAR(at_recall(80), 4.0 / 41, curve_rounding);
+  EXPECT_NEAR(at_recall(100), 5.0 / 44, curve_rounding);
+  EXPECT_NEAR(at_recall(30), 0.75, curve_rounding);
+  EXPECT_NEAR(at_recall(25), 0.875, curve_rounding);
+  EXPECT_NEAR(at_recall(95), 0.25 * 4 / 41 + 0.75 * 5 / 44, curve_rounding);
 }
 
 TEST(PrecisionAtRecallLevels, PsbCurveUsesThePrecisionOfTheFirstHitBelowItsRecall) {
@@ -50,7 +50,7 @@ TEST(PrecisionAtRecallLevels, PsbCurveUsesThePrecisionOfTheFirstHitBelowItsRecal
   EXPECT_GT(precision[10], 0.5);
 }
 
-TEST(PrecisionAtRecallLevels, PaperCurveUsesThePrecisionOfTheLastHitUpToTheLevel) {
+TEST(PrecisionAtRecallLevels, CurveOfTheSdfPaperUsesThePrecisionOfTheLastHitUpToTheLevel) {
   // Hits at ranks 1, 2, 4, 8: recall 0.25, 0.5, 0.75, 1; precision 1, 1, 3/4, 1/2.
   const RankedList list = list_of_hits({true, true, false, true, false, false, false, true, false}, true);
   const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::paper);
@@ -71,7 +71,7 @@ TEST(PrecisionAtRecallLevels, PaperCurveIncludesAHitExactlyAtTheLevel) {
   for (std::size_t hit = 0; hit < 10; ++hit) hits_at[hit * hit] = true;
   const Eigen::VectorXd precision = precision_at_levels(list_of_hits(hits_at, true), CurveKind::paper);
   for (int hits = 1; hits <= 10; ++hits) {
-    EXPECT_THAT(precision[hits], DoubleNear(static_cast<double>(hits) / ((hits - 1) * (hits - 1) + 1), last_place));
+    EXPECT_THAT(precision[hits], DoubleNear(static_cast<double>(hits) / ((hits - 1) * (hits - 1) + 1), curve_rounding));
   }
 }
 
@@ -115,7 +115,7 @@ TEST(AveragePrecisionRecallCurve, PsbCurveExcludesListsWithoutAHitBelowTheLevel)
   EXPECT_EQ(curve.recall, recall_levels(CurveKind::psb));
   for (std::size_t level = 0; level < 20; ++level) {
     // The second list has its first hit at recall 0.25, the level of index 4.
-    EXPECT_NEAR(curve.precision[level], level < 4 ? 0.2 : 0.4, last_place) << level;
+    EXPECT_NEAR(curve.precision[level], level < 4 ? 0.2 : 0.4, curve_rounding) << level;
   }
 }
 

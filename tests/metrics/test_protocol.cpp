@@ -88,7 +88,7 @@ RC_GTEST_PROP(TieOrders, ExpectedScoreIsTheMeanOverAllOrdersBetweenItsBounds, ()
     RC_ASSERT((pessimistic.per_query.row(row) - least).cwiseAbs().maxCoeff() <= protocol_rounding);
     if (least != most) ++changed;
   }
-  // DCG or nDCG changes with the place of any hit, but for ranks 1 and 2 under DCG.
+  // DCG or nDCG changes with the rank of any hit, but for ranks 1 and 2 under DCG.
   RC_ASSERT(expected.queries_with_ties == changed);
 }
 

@@ -25,9 +25,9 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 using testing::ElementsAre;
 
 /// Distances between numbers on a line.
-Matrix on_a_line(const std::vector<double>& places) {
-  const auto count = static_cast<Eigen::Index>(places.size());
-  const Eigen::VectorXd column = Eigen::Map<const Eigen::VectorXd>(places.data(), count);
+Matrix on_a_line(const std::vector<double>& coordinates) {
+  const auto count = static_cast<Eigen::Index>(coordinates.size());
+  const Eigen::VectorXd column = Eigen::Map<const Eigen::VectorXd>(coordinates.data(), count);
   return (column.replicate(1, count) - column.transpose().replicate(count, 1)).cwiseAbs();
 }
 

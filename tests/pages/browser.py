@@ -105,7 +105,7 @@ class Page:
     def read(self, canvas, script, *arguments):
         """What a script answers that has the canvas' width, height and data (as of an ImageData), and arguments."""
         return self.run("""
-            const [canvas, ...given] = arguments;
+            const [canvas, ...values] = arguments;
             const { width, height } = canvas;
             const context = Object.assign(document.createElement('canvas'), { width, height })
               .getContext('2d', { willReadFrequently: true });
@@ -114,7 +114,7 @@ class Page:
             """ + script, canvas, *arguments)
 
     def pixels(self, canvas):
-        """How many pixels of a canvas show something, and a text that tells pictures apart."""
+        """How many pixels of a canvas show something, and a text that differs between pictures."""
         return self.read(canvas, """
             let covered = 0;
             let hash = 0;

@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import { MultiDatasetState, contests } from '../../pages/multi_dataset/multi_dataset_state.mjs';
 import { deviationText } from '../../pages/multi_dataset/tables.mjs';
-import { namePlaces, nameSpace } from '../../pages/multi_dataset/critical_difference.mjs';
+import { nameSlots, nameSpace } from '../../pages/multi_dataset/critical_difference.mjs';
 
 function sampleMultiDataset() {
   const tables = ['psb', 'paper'].flatMap((protocol) => ['micro', 'macro'].flatMap((average) =>
@@ -41,6 +41,6 @@ test('the standard deviation is shown only for methods with repetitions', () => 
 });
 
 test('names in a critical difference diagram stand in two columns without crossing lines', () => {
-  assert.deepEqual(namePlaces(5).map(({ left, line }) => [left, line]),
+  assert.deepEqual(nameSlots(5).map(({ left, line }) => [left, line]),
     [[true, 0], [true, 1], [true, 2], [false, 1], [false, 0]]);
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import { bytesOf, scaledNumbers, shortsOf, valuesBetween } from '../../pages/common/packed.mjs';
-import { cellsOf, namePlaces, quantileOf } from '../../pages/report/heat_map.mjs';
+import { cellsOf, namePositions, quantileOf } from '../../pages/report/heat_map.mjs';
 
 // The bytes of little-endian numbers in base64.
 const packed = (numbers) => Buffer.from(Uint16Array.from(numbers).buffer).toString('base64');
@@ -34,8 +34,8 @@ test('quantiles use finite cells in numerical order', () => {
 });
 
 test('class names are centred on their rows and do not overlap', () => {
-  assert.deepEqual(namePlaces([0, 2, 1, 3], [0, 1, 0, 1]), [{ label: 0, middle: 0.25 }, { label: 1, middle: 0.75 }]);
+  assert.deepEqual(namePositions([0, 2, 1, 3], [0, 1, 0, 1]), [{ label: 0, middle: 0.25 }, { label: 1, middle: 0.75 }]);
   const labels = Array.from({ length: 1000 }, (_, model) => model);
-  const middles = namePlaces(labels, labels).map(({ middle }) => middle);
+  const middles = namePositions(labels, labels).map(({ middle }) => middle);
   assert.ok(middles.length > 40 && middles.length < 60);
 });

@@ -6,7 +6,7 @@ import { methodColours } from '../../pages/common/constants.mjs';
 import { mostChanged } from '../../pages/report/changes.mjs';
 import { chosenBy } from '../../pages/report/choices.mjs';
 import { orderedClasses } from '../../pages/report/classes.mjs';
-import { classMiddles, placedModels } from '../../pages/report/collection_map.mjs';
+import { classMiddles, modelPoints } from '../../pages/report/collection_map.mjs';
 import { countConfusions } from '../../pages/report/confusions.mjs';
 import { lowestPrecision } from '../../pages/report/curves.mjs';
 import { filteredModels } from '../../pages/report/gallery.mjs';
@@ -58,7 +58,7 @@ test('table rows are sorted numerically or in natural order of texts', () => {
   const columns = [{ text: ({ id }) => id }, { text: ({ value }) => String(value), value: ({ value }) => value }];
   const ids = (column, ascending) => sortedRows(rows, columns, { column, ascending }).map(({ id }) => id);
   assert.deepEqual(ids(0, true), ['T1', 'T9', 'T10']);
-  assert.deepEqual(ids(1, false), ['T9', 'T10', 'T1']); // the order of alike ones stays
+  assert.deepEqual(ids(1, false), ['T9', 'T10', 'T1']); // rows of equal value keep their order
   assert.equal(bestText(columns[1], rows), '10');
   assert.equal(bestText(columns[1], rows.slice(0, 1)), null);
 });
@@ -124,7 +124,7 @@ test('the page address selects existing methods, protocols and averages and igno
 });
 
 test('the map places models in class order and omits models without a position', () => {
-  const placed = placedModels([[0, 1], [2, 3], [null, null]], [0, 2, 1]);
-  assert.deepEqual(placed, [{ model: 0, x: 0, y: 1 }, { model: 2, x: 2, y: 3 }]);
-  assert.deepEqual(classMiddles(placed, [0, 1, 0]), [{ label: 0, x: 1, y: 2 }]);
+  const points = modelPoints([[0, 1], [2, 3], [null, null]], [0, 2, 1]);
+  assert.deepEqual(points, [{ model: 0, x: 0, y: 1 }, { model: 2, x: 2, y: 3 }]);
+  assert.deepEqual(classMiddles(points, [0, 1, 0]), [{ label: 0, x: 1, y: 2 }]);
 });

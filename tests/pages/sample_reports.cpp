@@ -17,7 +17,7 @@ namespace {
 constexpr int models = 12;
 const std::vector<int> labels = {0, 1, 0, 1, 0, 1, 0, 1, 0, 2, 0, 1};
 
-/// Histograms of two bumps, in places that depend on the class and a little on the model.
+/// Histograms of two bumps, at bins that depend on the class and a little on the model.
 Signatures histograms(int bins, double spread) {
   Signatures table(models, bins);
   for (int i = 0; i < models; ++i) {
@@ -95,7 +95,7 @@ SampleReport make_hostile_report() {
   return sample;
 }
 
-/// Distances that tell classes apart the less the more of them is of no meaning.
+/// Distances that separate classes the less, the larger their random share.
 DistanceMatrix distances_with_errors(double size) {
   DistanceMatrix distances(models, models);
   for (int i = 0; i < models; ++i) {

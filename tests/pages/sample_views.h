@@ -6,7 +6,7 @@
 
 namespace shapegauge::test_view {
 
-/// Two balls beside each other, of diameter 2 (part 0, value 2) and 0.5 (part 1, value 0.5), with fields, parts and
+/// Two balls next to each other, of diameter 2 (part 0, value 2) and 0.5 (part 1, value 0.5), with fields, parts and
 /// normals at the faces, with a name that needs escaping in markup.
 ShapeView balls();
 

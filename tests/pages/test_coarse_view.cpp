@@ -79,7 +79,7 @@ TEST(ResampledValues, KeepConstantsAndHardlyChangeALinearField) {
   const ValueTransfer carried(from, to);
   const Eigen::VectorXd constant = carried.means(Eigen::VectorXd::Constant(from.points.rows(), 0.7));
   EXPECT_NEAR((constant.array() - 0.7).abs().maxCoeff(), 0, 1e-12);
-  // Faces of about 0.16: means are of places within about that.
+  // Faces of about 0.16: means are over points within about that distance.
   EXPECT_LT((carried.means(from.points.col(0)) - to.points.col(0)).cwiseAbs().maxCoeff(), 0.12);
   const Points directions = carried.directions(from.normals);
   EXPECT_GT((directions.array() * to.points.array()).rowwise().sum().minCoeff(), 0.97) << "normals of a sphere";
@@ -99,12 +99,12 @@ TEST(ResampledValues, AreMeansWeightedByArea) {
 
 TEST(ResampledValues, KeepTheTwoSidesOfASheetSeparate) {
   const Shape sheet = test::box({1, 1, 1e-4}, 12);
-  const Samples places = sample_shape(sheet, SampleSite::faces);
-  const Eigen::VectorXd side = places.normals.col(2);
+  const Samples samples = sample_shape(sheet, SampleSite::faces);
+  const Eigen::VectorXd side = samples.normals.col(2);
   const Shape shifted =
       test::transformed(sheet, 1, Eigen::Matrix3d::Identity(), {0.02, 0.01, 8e-5});  // nearer to the other side
   const Samples others = sample_shape(shifted, SampleSite::faces);
-  const Eigen::VectorXd carried = ValueTransfer(places, others).means(side);
+  const Eigen::VectorXd carried = ValueTransfer(samples, others).means(side);
   for (Eigen::Index i = 0; i < carried.size(); ++i) {
     if (others.points.row(i).cwiseAbs().maxCoeff() > 0.4) continue;  // the rim is near
     EXPECT_NEAR(carried[i], others.normals(i, 2), 1e-12) << i;
@@ -127,14 +127,14 @@ TEST(CoarseView, KeepsPartsAndValuesOfSeparateBalls) {
   const Samples samples = sample_shape(fine.shape, fine.site);
   const ShapeView coarse = coarse_view(fine, samples, 400);
   ASSERT_LE(coarse.shape.triangles.rows(), 400);
-  const Samples places = sample_shape(coarse.shape, SampleSite::faces);
-  ASSERT_EQ(std::ssize(coarse.parts.front().labels), places.points.rows());
+  const Samples coarse_samples = sample_shape(coarse.shape, SampleSite::faces);
+  ASSERT_EQ(std::ssize(coarse.parts.front().labels), coarse_samples.points.rows());
   std::set<std::int32_t> parts;
-  for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
-    const bool small = places.points(i, 0) > 1.5;
+  for (Eigen::Index i = 0; i < coarse_samples.points.rows(); ++i) {
+    const bool small = coarse_samples.points(i, 0) > 1.5;
     EXPECT_EQ(coarse.parts.front().labels[static_cast<std::size_t>(i)], small ? 1 : 0);
     EXPECT_NEAR(coarse.fields[0].values[i], small ? 0.5 : 2, 1e-12);
-    EXPECT_NEAR(coarse.fields[1].values[i], places.points(i, 2), 0.12);
+    EXPECT_NEAR(coarse.fields[1].values[i], coarse_samples.points(i, 2), 0.12);
     parts.insert(coarse.parts.front().labels[static_cast<std::size_t>(i)]);
   }
   EXPECT_EQ(parts.size(), 2U);

@@ -22,12 +22,12 @@ Eigen::MatrixXd distances_between(const Eigen::MatrixX2d& points) {
 TEST(PlaneEmbedding, RestoresPointsInAPlaneUpToRigidMotion) {
   const Eigen::MatrixX2d points{{0, 0}, {5, 1}, {2, 3}, {-1, 4}, {7, -2}, {3, 3}};
   const Eigen::MatrixXd distances = distances_between(points);
-  const Eigen::MatrixX2d places = plane_embedding(distances);
-  EXPECT_TRUE(distances_between(places).isApprox(distances, 1e-9));
-  EXPECT_LT(places.colwise().mean().norm(), 1e-9);
-  EXPECT_GT(places.col(0).squaredNorm(), places.col(1).squaredNorm());
+  const Eigen::MatrixX2d positions = plane_embedding(distances);
+  EXPECT_TRUE(distances_between(positions).isApprox(distances, 1e-9));
+  EXPECT_LT(positions.colwise().mean().norm(), 1e-9);
+  EXPECT_GT(positions.col(0).squaredNorm(), positions.col(1).squaredNorm());
   for (int axis = 0; axis < 2; ++axis) {
-    EXPECT_DOUBLE_EQ(places.col(axis).maxCoeff(), places.col(axis).cwiseAbs().maxCoeff());
+    EXPECT_DOUBLE_EQ(positions.col(axis).maxCoeff(), positions.col(axis).cwiseAbs().maxCoeff());
   }
 }
 
@@ -36,9 +36,9 @@ TEST(PlaneEmbedding, GivesModelsWithoutDistancesNoPosition) {
   Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(4, 4, infinity);
   distances.topLeftCorner(3, 3) = distances_between(points);
   distances(3, 3) = 0;
-  const Eigen::MatrixX2d places = plane_embedding(distances);
-  EXPECT_TRUE(distances_between(places.topRows(3)).isApprox(distances_between(points), 1e-9));
-  EXPECT_TRUE(std::isnan(places(3, 0)) && std::isnan(places(3, 1)));
+  const Eigen::MatrixX2d positions = plane_embedding(distances);
+  EXPECT_TRUE(distances_between(positions.topRows(3)).isApprox(distances_between(points), 1e-9));
+  EXPECT_TRUE(std::isnan(positions(3, 0)) && std::isnan(positions(3, 1)));
 }
 
 }  // namespace

@@ -40,19 +40,19 @@ test('a scale set by the user is not shared and keeps its logarithm and threshol
 });
 
 test('a cloud is drawn with the hexagons of the library', () => {
-  const { places, positions, radius, site } = unpackShape(sample.cloud);
+  const { sampleCount, positions, radius, site } = unpackShape(sample.cloud);
   const corners = trianglesPerSplat + 2;
   assert.equal(site, 'point');
-  assert.equal(places, sample.splats.length / corners);
-  const ringOf = (place) => { // three corners of the first triangle, then the last of each further one
-    const at = (corner) => scaled(vectorAt(positions, 3 * (3 * trianglesPerSplat * place + corner)), radius);
+  assert.equal(sampleCount, sample.splats.length / corners);
+  const ringOf = (splat) => { // three corners of the first triangle, then the last of each further one
+    const at = (corner) => scaled(vectorAt(positions, 3 * (3 * trianglesPerSplat * splat + corner)), radius);
     return [at(0), at(1), at(2), ...Array.from({ length: trianglesPerSplat - 1 }, (_, k) => at(3 * (k + 1) + 2))];
   };
   const middle = (ring) => scaled(ring.reduce((sum, point) => sum.map((x, k) => x + point[k])), 1 / ring.length);
   const normal = (ring) => unit(cross(difference(ring[1], ring[0]), difference(ring[2], ring[0])));
   const firstOffset = difference(middle(ringOf(0)), middle(sample.splats.slice(0, corners)));
-  for (let place = 0; place < places; ++place) {
-    const [mine, theirs] = [ringOf(place), sample.splats.slice(corners * place, corners * (place + 1))];
+  for (let splat = 0; splat < sampleCount; ++splat) {
+    const [mine, theirs] = [ringOf(splat), sample.splats.slice(corners * splat, corners * (splat + 1))];
     const offset = difference(middle(mine), middle(theirs)); // the whole cloud is moved
     assert.ok(length(difference(offset, firstOffset)) < 1e-4 * radius);
     const size = length(difference(theirs[0], middle(theirs)));
@@ -65,12 +65,12 @@ test('an unpacked mesh has the area, normal and values of each face', () => {
   const shape = unpackShape(sample.balls);
   const corners = Array.from({ length: shape.positions.length / 3 }, (_, i) => vectorAt(shape.positions, 3 * i));
   near(Math.max(...corners.map(length)), 1, 1e-6);
-  const half = shape.places / 2; // the large ball of diameter 2, then the small one of 0.5
+  const half = shape.sampleCount / 2; // the large ball of diameter 2, then the small one of 0.5
   near(shape.weights.subarray(0, half).reduce((sum, weight) => sum + weight), 16 / 17, 1e-4);
   assert.deepEqual([...new Set(shape.fields[0].values.subarray(0, half))], [2]);
   assert.deepEqual([...new Set(shape.fields[0].values.subarray(half))], [0.5]);
   assert.deepEqual([...new Set(shape.parts[0].values.subarray(half))], [1]);
-  for (let face = 0; face < shape.places; face += 7) { // the normals point outwards, and are those of the program
+  for (let face = 0; face < shape.sampleCount; face += 7) { // the normals point outwards, and are those of the program
     assert.ok(dot(vectorAt(shape.faceNormals, 3 * face), unit(vectorAt(shape.directions, 3 * face))) > 0.999);
   }
 });
@@ -81,7 +81,7 @@ function roof(degrees) {
   const [a, b, c, d] = [[0, 0, 0], [0, 1, 0], [-1, 0, 0], [Math.cos(angle), 0, -Math.sin(angle)]];
   return {
     positions: Float32Array.of(...c, ...a, ...b, ...d, ...b, ...a),
-    vertexOf: Uint32Array.of(2, 0, 1, 3, 1, 0), placeOf: Uint32Array.of(0, 0, 0, 1, 1, 1), places: 2,
+    vertexOf: Uint32Array.of(2, 0, 1, 3, 1, 0), sampleOf: Uint32Array.of(0, 0, 0, 1, 1, 1), sampleCount: 2,
   };
 }
 

@@ -38,5 +38,5 @@ def mesh_object(vertices, faces):
 
 def toy():
     """A = 0, 1, 4 and B = 2, 3.5, 7, 9 on a line, with scores computed by hand."""
-    places = np.array([0, 1, 4, 2, 3.5, 7, 9])
-    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
+    positions = np.array([0, 1, 4, 2, 3.5, 7, 9])
+    return np.abs(np.subtract.outer(positions, positions)), list("aaabbbb")

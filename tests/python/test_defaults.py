@@ -44,8 +44,8 @@ def test_fuse_uses_the_registered_weight_by_default():
 def test_sdf_uses_the_registered_defaults():
     vertices, faces = bumpy_torus()
     cone = {name: setting["default"] for name, setting in REGISTERED["fields"]["cone_sdf"]["settings"].items()}
-    given = sg.sdf(vertices, faces, "cone_sdf", **cone)
-    assert (given.values == sg.sdf(vertices, faces, "cone_sdf").values).all()
+    field = sg.sdf(vertices, faces, "cone_sdf", **cone)
+    assert (field.values == sg.sdf(vertices, faces, "cone_sdf").values).all()
     offset = REGISTERED["options"]["sdf"]["offset"]["default"]
     assert sg.sdf(vertices, faces).offset == offset
     accuracy = REGISTERED["fields"]["offset_sdf"]["settings"]["accuracy"]["default"]

@@ -31,5 +31,5 @@ def test_notebook_contains_the_outputs_of_its_cells():
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             exec("".join(cell["source"]), names)
-        kept = [output["text"] for output in cell["outputs"] if output.get("name") == "stdout"]
-        assert printed.getvalue() == "".join("".join(text) for text in kept)
+        stored = [output["text"] for output in cell["outputs"] if output.get("name") == "stdout"]
+        assert printed.getvalue() == "".join("".join(text) for text in stored)

@@ -18,8 +18,8 @@ import numpy as np
 import shapegauge as sg
 assert pathlib.Path(sg.__file__).is_relative_to(sys.prefix), sg.__file__
 assert (pathlib.Path(sg.__file__).parent / "py.typed").exists()
-places = np.array([0, 1, 2, 10, 11, 12])
-distances = np.abs(np.subtract.outer(places, places))
+positions = np.array([0, 1, 2, 10, 11, 12])
+distances = np.abs(np.subtract.outer(positions, positions))
 print(sg.__version__, sg.evaluate(distances, list("aaabbb"))["NN"])
 """
 

@@ -27,8 +27,8 @@ def cloud(count):
     points = random.normal(size=(count, 3))
     return points / np.linalg.norm(points, axis=1, keepdims=True) * [1, 2, 3]
 def distances(count):
-    places = random.normal(size=(count, 3)).astype(np.float32)
-    return sum(np.abs(np.subtract.outer(column, column)) for column in places.T).astype(float)
+    points = random.normal(size=(count, 3)).astype(np.float32)
+    return sum(np.abs(np.subtract.outer(column, column)) for column in points.T).astype(float)
 """
 
 # Makes the calls one after the other. Of each, prints whether the native function raised, and the CPU seconds used in the

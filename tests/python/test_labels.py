@@ -50,17 +50,17 @@ def test_missing_values_in_label_arrays_raise_an_error():
 @pytest.mark.parametrize("text", ["nan", "NaN", "None", "<NA>", "NaT", "NULL"])
 def test_labels_that_spell_a_missing_value_give_a_warning(text, tmp_path):
     labels = [text, "a", text, "b", "b", "a", "b"]
-    for given in (labels, np.array(labels, object)):
+    for values in (labels, np.array(labels, object)):
         with pytest.warns(UserWarning, match=f'the label of rows 0, 2 .* is the text "{text}"'):
-            sg.evaluate(DISTANCES, given)
+            sg.evaluate(DISTANCES, values)
     with pytest.warns(UserWarning, match=f'the label of row 1 of targets .* is the text "{text}"'):
         sg.evaluate(DISTANCES[:, :3], LABELS, targets=["a", text, "b"])
     with pytest.raises(sg.InputError, match=f'"{text}" in rows 0, 2 .*dtype=object'):
         sg.evaluate(DISTANCES, np.array(labels))
     np.save(tmp_path / "D.npy", DISTANCES)
     (tmp_path / "labels.txt").write_text("\n".join(labels))
-    told = program("evaluate", tmp_path / "D.npy", "--labels", tmp_path / "labels.txt")
-    assert any(f'2 models have the class "{text}"' in line for line in told)
+    lines = program("evaluate", tmp_path / "D.npy", "--labels", tmp_path / "labels.txt")
+    assert any(f'2 models have the class "{text}"' in line for line in lines)
 
 
 def test_missing_target_labels_are_named_by_their_rows():

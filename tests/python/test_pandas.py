@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects of pandas: their rows are taken by position, and must not be in different orders."""
+"""Objects of pandas: their rows are read by position, and must not be in different orders."""
 
 import numpy as np
 import pytest

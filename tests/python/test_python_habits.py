@@ -216,8 +216,8 @@ def test_negative_relevance_means_not_judged():
 
 
 def test_evaluate_accepts_queries_that_are_not_targets():
-    places, others = np.array([0.0, 10]), np.array([1.0, 2, 9, 12])
-    scores = sg.evaluate(np.abs(np.subtract.outer(places, others)), ["a", "b"], targets=["a", "b", "b", "a"])
+    queries, others = np.array([0.0, 10]), np.array([1.0, 2, 9, 12])
+    scores = sg.evaluate(np.abs(np.subtract.outer(queries, others)), ["a", "b"], targets=["a", "b", "b", "a"])
     assert scores.per_query["NN"].tolist() == [1, 1]
     assert scores.per_query["FT"].tolist() == [0.5, 0.5]
     with pytest.raises(sg.InputError, match="labels and targets"):
@@ -230,10 +230,10 @@ def test_run_accepts_a_dict_and_reports_progress(tmp_path, monkeypatch):
         configuration = json.load(file)
     configuration["dataset"] = {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}}
     configuration.pop("$schema", None)
-    told = []
-    run = sg.run(configuration, "out", cache="", on_progress=lambda *how_far: told.append(how_far))
+    calls = []
+    run = sg.run(configuration, "out", cache="", on_progress=lambda *how_far: calls.append(how_far))
     assert run.left_out == [] and "NN" in run.summary
-    assert {stage for stage, _, _ in told} >= {"signatures"}
+    assert {stage for stage, _, _ in calls} >= {"signatures"}
 
     def stop(stage, done, total):
         raise RuntimeError("enough")

@@ -85,14 +85,14 @@ def test_search_returns_one_answer_per_query(models, tmp_path):
 def test_search_reranks_and_writes_a_page_on_request(models, tmp_path):
     index = opened(models)
     plain = index.search(models / "flat0.off")
-    told = []
+    calls = []
     reranked = index.search(models / "flat0.off", rerank=True, page=tmp_path / "page.html",
-                            on_progress=lambda stage, done, total: told.append((stage, done, total)))
+                            on_progress=lambda stage, done, total: calls.append((stage, done, total)))
     assert sorted(plain.names) == sorted(reranked.names)
     assert plain.distances.tolist() != reranked.distances.tolist()
     assert "flat0.off" in (tmp_path / "page.html").read_text()
-    assert {stage for stage, _, _ in told} >= {"queries", "pictures"}
-    assert all(0 <= done <= total for _, done, total in told)
+    assert {stage for stage, _, _ in calls} >= {"queries", "pictures"}
+    assert all(0 <= done <= total for _, done, total in calls)
 
 
 def test_search_page_shows_the_requested_up_axis(models, tmp_path):

@@ -81,10 +81,10 @@ def open3d_objects(vertices, faces, normals):
 
 def test_open3d_objects_are_accepted_as_shapes(torus):
     vertices, faces = torus
-    given = sg.normals(vertices)
-    mesh, cloud = open3d_objects(vertices, faces, given)
+    normals = sg.normals(vertices)
+    mesh, cloud = open3d_objects(vertices, faces, normals)
     np.testing.assert_array_equal(sg.sdf(mesh).values, sg.sdf(vertices, faces).values)
-    np.testing.assert_array_equal(sg.sdf(cloud).values, sg.sdf(vertices, normals=given).values)
+    np.testing.assert_array_equal(sg.sdf(cloud).values, sg.sdf(vertices, normals=normals).values)
     _, bare = open3d_objects(vertices, faces, [])
     np.testing.assert_array_equal(sg.normals(bare), sg.normals(vertices))
 
@@ -154,19 +154,19 @@ def test_scores_match_a_hand_computation():
 def test_scores_and_comparisons_match_the_command_line(tmp_path):
     generator = np.random.default_rng(5)
     labels = np.repeat(np.arange(12), 6)
-    places = labels[:, None] + generator.normal(size=(72, 3))
-    first = np.linalg.norm(places[:, None] - places[None], axis=2)
-    second = first + 0.5 * np.abs(np.subtract.outer(places[:, 0], places[:, 0]))
+    points = labels[:, None] + generator.normal(size=(72, 3))
+    first = np.linalg.norm(points[:, None] - points[None], axis=2)
+    second = first + 0.5 * np.abs(np.subtract.outer(points[:, 0], points[:, 0]))
     for name, matrix in (("first", first), ("second", second)):
         np.save(tmp_path / f"{name}.npy", matrix)
     np.save(tmp_path / "labels.npy", labels)
     of_files = [tmp_path / "first.npy", "--labels", tmp_path / "labels.npy", "--format", "json"]
-    told = json.loads(subprocess.run([PROGRAM, "evaluate", *map(str, of_files)], check=True, capture_output=True).stdout)
-    assert sg.evaluate(first, labels).micro == told["micro"]
+    data = json.loads(subprocess.run([PROGRAM, "evaluate", *map(str, of_files)], check=True, capture_output=True).stdout)
+    assert sg.evaluate(first, labels).micro == data["micro"]
     of_files = [tmp_path / "first.npy", tmp_path / "second.npy", *of_files[1:]]
-    told = json.loads(subprocess.run([PROGRAM, "compare", *map(str, of_files)], check=True, capture_output=True).stdout)
+    data = json.loads(subprocess.run([PROGRAM, "compare", *map(str, of_files)], check=True, capture_output=True).stdout)
     comparison = sg.compare({"first": first, "second": second}, labels)
-    assert comparison.results == told
+    assert comparison.results == data
     assert "first" in repr(comparison) and r"\begin" in comparison.to_latex() and "|" in comparison.to_markdown()
 
 

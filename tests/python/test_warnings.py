@@ -19,8 +19,8 @@ OPEN = FACES[(CENTRES[:, 2] < 0) | (np.hypot(CENTRES[:, 0] - np.sqrt(0.75), CENT
 
 def untied():
     """Distances without ties, and labels."""
-    places = np.array([0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9])
-    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
+    positions = np.array([0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9])
+    return np.abs(np.subtract.outer(positions, positions)), list("aaabbbb")
 
 
 def warned(call):
@@ -47,20 +47,20 @@ def test_offsets_that_do_not_close_the_gaps_give_a_warning(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
-        told = program("sdf", tmp_path / "open.off", "--method", "offset_sdf", "--offset", offset, "--replace", "-o",
-                       tmp_path / "x.csv")
+        output = program("sdf", tmp_path / "open.off", "--method", "offset_sdf", "--offset", offset, "--replace", "-o",
+                         tmp_path / "x.csv")
         _, found = warned(lambda: sg.sdf(shape, offset=offset))
-        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
+        assert found == [in_python(sentence) for sentence in commands_warnings(output)]
         assert any("leaks" in sentence for sentence in found)
         fields = [{"type": "offset_sdf", "offset": offset}, {"type": "cone_sdf"}]
-        told = program("describe", tmp_path / "open.off", "--descriptor", "joint_histogram", "--set",
-                       f"fields={json.dumps(fields)}", "--replace", "-o", tmp_path / "x.npy")
+        output = program("describe", tmp_path / "open.off", "--descriptor", "joint_histogram", "--set",
+                         f"fields={json.dumps(fields)}", "--replace", "-o", tmp_path / "x.npy")
         _, found = warned(lambda: sg.describe(shape, "joint_histogram", fields=fields))
-        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
-        told = program("normals", tmp_path / "open.off", "--offset", offset, "--replace", "-o",
-                       tmp_path / "x.xyz")
+        assert found == [in_python(sentence) for sentence in commands_warnings(output)]
+        output = program("normals", tmp_path / "open.off", "--offset", offset, "--replace", "-o",
+                         tmp_path / "x.xyz")
         _, found = warned(lambda: sg.normals(shape, offset))
-        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
+        assert found == [in_python(sentence) for sentence in commands_warnings(output)]
         assert any("both sides" in sentence for sentence in found)
     assert "offset=" in found[0]
     _, found = warned(lambda: sg.segment(shape, "paper", offset=0.02))
@@ -74,8 +74,8 @@ def test_automatic_offset_is_reported(tmp_path):
     field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
     program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "auto", "--timings", tmp_path / "t.json",
             "-o", tmp_path / "x.csv")
-    told = json.loads((tmp_path / "t.json").read_text())["offset"]
-    assert told["automatic"] and field.offset == told["offset"] > 0.01
+    report = json.loads((tmp_path / "t.json").read_text())["offset"]
+    assert report["automatic"] and field.offset == report["offset"] > 0.01
     values, weights = field
     assert values is field.values and weights is field.weights
     np.testing.assert_array_equal(field.normals, sg.normals(VERTICES, "auto"))
@@ -120,30 +120,30 @@ def test_outliers_are_removed_on_request_or_with_auto(tmp_path):
     points = ball_with_outliers(2)
     clean = sg.sdf(points[1:-1], offset="auto")
     for settings in ({"offset": "auto"}, {"offset": clean.offset, "remove_outliers": True}):
-        found, told = warned(lambda: sg.sdf(points, **settings))
-        assert len(told) == 1 and told[0].startswith("2 of 3002 points are outliers")
+        found, messages = warned(lambda: sg.sdf(points, **settings))
+        assert len(messages) == 1 and messages[0].startswith("2 of 3002 points are outliers")
         assert found.offset == clean.offset
         assert np.isnan(found.values[[0, -1]]).all() and (found.weights[[0, -1]] == 0).all()
         assert (found.values[1:-1] == clean.values).all() and (found.weights[1:-1] == clean.weights).all()
         assert (found.points == points).all() and (found.normals[1:-1] == clean.normals).all()
-    kept, told = warned(lambda: sg.sdf(points, offset=0.05))
-    assert np.isfinite(kept.values).all()
-    assert any("use remove_outliers=True" in sentence for sentence in told)
+    field, messages = warned(lambda: sg.sdf(points, offset=0.05))
+    assert np.isfinite(field.values).all()
+    assert any("use remove_outliers=True" in sentence for sentence in messages)
     sg.write(tmp_path / "cloud.ply", points)
     lines = program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "0.05", "-o",
                     tmp_path / "x.csv")
     lines = [line.replace("--remove-outliers", "remove_outliers=True") for line in commands_warnings(lines)]
-    assert sorted(in_python(line) for line in lines) == sorted(told)
+    assert sorted(in_python(line) for line in lines) == sorted(messages)
 
 
 def test_removed_outliers_get_no_part_and_do_not_affect_features():
     points = ball_with_outliers(2)
-    labels, told = warned(lambda: sg.segment(points, remove_outliers=True))
-    assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(told) == 1
+    labels, messages = warned(lambda: sg.segment(points, remove_outliers=True))
+    assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(messages) == 1
     features, _ = warned(lambda: sg.describe(points, "d2", remove_outliers=True))
     assert (features == sg.describe(points[1:-1], "d2")).all()
-    _, told = warned(lambda: sg.describe(points, "d2"))
-    assert any("outliers" in sentence for sentence in told)
+    _, messages = warned(lambda: sg.describe(points, "d2"))
+    assert any("outliers" in sentence for sentence in messages)
 
 
 def test_normals_unrelated_to_the_surface_are_ignored(tmp_path):
@@ -152,9 +152,9 @@ def test_normals_unrelated_to_the_surface_are_ignored(tmp_path):
     for measure in (lambda normals: sg.sdf(points, offset=0.05, normals=normals).values,
                     lambda normals: sg.segment(points, normals=normals),
                     lambda normals: sg.describe(points, "surflet_pairs", normals=normals)):
-        found, told = warned(lambda: measure(others))
+        found, messages = warned(lambda: measure(others))
         assert (found == warned(lambda: measure(None))[0]).all()
-        assert sum("normals of the points are ignored" in sentence for sentence in told) == 1
+        assert sum("normals of the points are ignored" in sentence for sentence in messages) == 1
         assert not any("normals" in sentence for sentence in warned(lambda: measure(points))[1])
     np.savetxt(tmp_path / "cloud.xyz", np.hstack([points, others]))
     lines = program("sdf", tmp_path / "cloud.xyz", "-o", tmp_path / "x.csv")
@@ -197,9 +197,9 @@ def test_reranking_warns_as_the_command_line_does(tmp_path):
     distances[0, 1] += 0.5
     for number, matrix in enumerate([distances, distances.max() - distances]):
         np.save(tmp_path / "d.npy", matrix)
-        told = program("rerank", tmp_path / "d.npy", "-o", tmp_path / f"r{number}.npy", "--neighbours", 2)
+        lines = program("rerank", tmp_path / "d.npy", "-o", tmp_path / f"r{number}.npy", "--neighbours", 2)
         _, found = warned(lambda: sg.rerank(matrix, neighbours=2))
-        assert found == commands_warnings(told) and "not symmetric" in found[-1]
+        assert found == commands_warnings(lines) and "not symmetric" in found[-1]
     assert "looks like a matrix of similarities; re-ranking takes distances" in found[0]
 
 

@@ -240,34 +240,34 @@ TEST(KeepNearestOption, MovesOnlyTheFormerNearestModelToTheFront) {
   const DiffusionOptions keeping{.neighbours = {}, .keep_nearest = true};
   const NearestModels nearest = nearest_models(80, 20, rows_of(distances));
   const DistanceMatrix moved = diffused(distances, plain);
-  const DistanceMatrix kept = diffused(distances, keeping);
+  const DistanceMatrix nearest_first = diffused(distances, keeping);
   int changed = 0;
   for (Eigen::Index i = 0; i < 80; ++i) {
     const std::int32_t first = nearest.indices(i, 0);
-    EXPECT_EQ(nearest_in_row(kept, i, 1).front().model, first);
+    EXPECT_EQ(nearest_in_row(nearest_first, i, 1).front().model, first);
     for (Eigen::Index j = 0; j < 80; ++j) {
       if (j != first) {
-        EXPECT_EQ(kept(i, j), moved(i, j));
+        EXPECT_EQ(nearest_first(i, j), moved(i, j));
       }
     }
-    EXPECT_LE(kept(i, first), moved(i, first));
-    changed += kept(i, first) < moved(i, first) ? 1 : 0;
+    EXPECT_LE(nearest_first(i, first), moved(i, first));
+    changed += nearest_first(i, first) < moved(i, first) ? 1 : 0;
     for (const std::size_t count : {std::size_t{1}, std::size_t{10}}) {
       expect_same_answer(diffused_nearest(nearest, i, distances.row(i), keeping, count),
-                         nearest_in_row(kept, i, count));
+                         nearest_in_row(nearest_first, i, count));
     }
   }
   EXPECT_GT(changed, 0);
-  EXPECT_LT(largest_difference(diffused_by_rows(distances, keeping), kept), 2e-6);
+  EXPECT_LT(largest_difference(diffused_by_rows(distances, keeping), nearest_first), 2e-6);
 }
 
 /// With such a damping, errors of the solver make many distances negative.
-TEST(KeepNearestOption, KeepsTheNearestModelFirstAmongNegativeDistances) {
+TEST(KeepNearestOption, NearestModelStaysFirstIfDiffusedDistancesAreNegative) {
   const DistanceMatrix distances = distances_of(arcs(10, 4, 3));
-  const DistanceMatrix kept =
+  const DistanceMatrix nearest_first =
       diffused_by_rows(distances, {.neighbours = {}, .damping = 0.999999, .tie = 0, .keep_nearest = true});
   for (Eigen::Index i = 0; i < 40; ++i) {
-    EXPECT_EQ(nearest_in_row(kept, i, 1).front().model, nearest_in_row(distances, i, 1).front().model);
+    EXPECT_EQ(nearest_in_row(nearest_first, i, 1).front().model, nearest_in_row(distances, i, 1).front().model);
   }
 }
 

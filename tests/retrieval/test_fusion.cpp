@@ -19,12 +19,12 @@
 namespace shapegauge {
 namespace {
 
-DistanceMatrix line_distances(const std::vector<double>& places) {
-  const auto size = std::ssize(places);
+DistanceMatrix line_distances(const std::vector<double>& coordinates) {
+  const auto size = std::ssize(coordinates);
   DistanceMatrix matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
-      matrix(i, j) = std::abs(places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]);
+      matrix(i, j) = std::abs(coordinates[static_cast<std::size_t>(i)] - coordinates[static_cast<std::size_t>(j)]);
     }
   }
   return matrix;
@@ -255,30 +255,30 @@ double common(const std::set<Eigen::Index>& a, const std::set<Eigen::Index>& b) 
 
 TEST(SumWeights, ByAgreementMatchADirectImplementation) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
-  const std::vector<double> given = {1, 0.5, 2};
-  const std::vector<double> found = sum_weights(matrices, given, SumWeights::agreement);
+  const std::vector<double> weights = {1, 0.5, 2};
+  const std::vector<double> found = sum_weights(matrices, weights, SumWeights::agreement);
   for (std::size_t m = 0; m < 3; ++m) {
     double agreement = 0;
     double cohesion = 0;
     for (const int k : {4, 5, 7, 10, 14, 20}) {
       for (Eigen::Index i = 0; i < 30; ++i) {
-        const std::set<Eigen::Index> own = nearest_set(matrices[m], i, k);
+        const std::set<Eigen::Index> neighbours = nearest_set(matrices[m], i, k);
         for (std::size_t other = 0; other < 3; ++other) {
           if (other == m) continue;
-          const double share = (common(own, nearest_set(matrices[other], i, k)) - 1) / k;
-          agreement += given[other] / (3.5 - given[m]) * share / 30 / 6;
+          const double share = (common(neighbours, nearest_set(matrices[other], i, k)) - 1) / k;
+          agreement += weights[other] / (3.5 - weights[m]) * share / 30 / 6;
         }
-        for (const Eigen::Index j : own) {
+        for (const Eigen::Index j : neighbours) {
           const std::set<Eigen::Index> theirs = nearest_set(matrices[m], j, k);
-          const double both = common(own, theirs);
-          if (j != i) cohesion += both / (static_cast<double>(own.size() + theirs.size()) - both) / k / 30 / 6;
+          const double both = common(neighbours, theirs);
+          if (j != i) cohesion += both / (static_cast<double>(neighbours.size() + theirs.size()) - both) / k / 30 / 6;
         }
       }
     }
     // Compared before the power, after which most of the factors are below any absolute tolerance.
-    EXPECT_NEAR(std::pow(found[m] / given[m], 1.0 / 4), agreement * cohesion, 1e-12);
+    EXPECT_NEAR(std::pow(found[m] / weights[m], 1.0 / 4), agreement * cohesion, 1e-12);
   }
-  EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
+  EXPECT_EQ(sum_weights(matrices, weights, SumWeights::given), weights);
 }
 
 TEST(SumWeights, ByAgreementOfNeighboursAreSmallForRandomDistances) {

@@ -76,9 +76,9 @@ DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size
 
 TEST(KReciprocalReranking, MovesMutualNeighboursCloser) {
   // 0 to 3 are near each other; 4 is nearer to 3 than 0 is, but its own neighbours are nearer.
-  const std::vector<double> places = {0, 1, 2, 3, 5.5, 5.6, 5.7, 5.8};
+  const std::vector<double> coordinates = {0, 1, 2, 3, 5.5, 5.6, 5.7, 5.8};
   Eigen::MatrixXd points(8, 1);
-  for (std::size_t i = 0; i < places.size(); ++i) points(static_cast<Eigen::Index>(i), 0) = places[i];
+  for (std::size_t i = 0; i < coordinates.size(); ++i) points(static_cast<Eigen::Index>(i), 0) = coordinates[i];
   const DistanceMatrix distances = distances_of(points);
   ASSERT_LT(distances(3, 4), distances(3, 0));
   const DistanceMatrix found = k_reciprocal(distances, {.neighbours = 3, .expansion_neighbours = 2, .original = 0});

@@ -129,9 +129,9 @@ TEST_P(EachRerankMethod, KeepsDistancesFiniteWithOneFarModel) {
 TEST_P(EachRerankMethod, IgnoresTheDiagonal) {
   DistanceMatrix distances = distances_of(arcs(10, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
-  for (const double own : {no_neighbour, 1e308, 0.5}) {
-    distances.diagonal().setConstant(own);
-    EXPECT_EQ(GetParam().rerank(distances), expected) << own;
+  for (const double diagonal : {no_neighbour, 1e308, 0.5}) {
+    distances.diagonal().setConstant(diagonal);
+    EXPECT_EQ(GetParam().rerank(distances), expected) << diagonal;
   }
 }
 

@@ -31,9 +31,9 @@ ThickSurface torus() { return thick_surface(test::torus(3, 1, 60, 180)); }
 Labels wavy_halves(const ThickSurface& surface, double amplitude) {
   Labels labels;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
-    const auto place = surface.graph.samples.points.row(i);
-    const double around = std::atan2(place.z(), std::hypot(place.x(), place.y()) - 3);
-    labels.push_back(place.x() > amplitude * std::sin(5 * around) ? 1 : 0);
+    const auto position = surface.graph.samples.points.row(i);
+    const double around = std::atan2(position.z(), std::hypot(position.x(), position.y()) - 3);
+    labels.push_back(position.x() > amplitude * std::sin(5 * around) ? 1 : 0);
   }
   return labels;
 }

@@ -68,7 +68,7 @@ TEST(ChenSegmentation, OfASphereIsOnePart) {
 
 /// Whether six nodes in a row, each a patch, fall into two clusters of three where the border in the middle is of this
 /// length and concavity, the others of length 1, and cuts are worth so much.
-bool falls_apart(double smoothness, double length, double concavity) {
+bool has_two_clusters(double smoothness, double length, double concavity) {
   std::vector<test::HandMadeLink> links = test::chain({1, 1, length, 1, 1});
   links[2].concavity = concavity;
   const SurfaceGraph graph = test::hand_made_graph(std::vector<double>(6, 1), links);
@@ -87,15 +87,15 @@ TEST(ChenSegmentation, CostOfACutFollowsItsLengthAndDihedralAngle) {
   const double clusters = 3 * std::log(1e6);
   const auto expect_limit = [&](double turn, double concavity) {
     const double limit = clusters / std::log(std::numbers::pi / turn);
-    EXPECT_TRUE(falls_apart(0.99 * limit, 1, concavity)) << concavity;
-    EXPECT_FALSE(falls_apart(1.01 * limit, 1, concavity)) << concavity;
+    EXPECT_TRUE(has_two_clusters(0.99 * limit, 1, concavity)) << concavity;
+    EXPECT_FALSE(has_two_clusters(1.01 * limit, 1, concavity)) << concavity;
   };
   expect_limit(1e-3, 0);
   expect_limit(0.5, 0.5);
   expect_limit(0.05, -0.5);
   const double limit = clusters / (std::log(std::numbers::pi / 1e-3) * 0.5 / 0.9);
-  EXPECT_TRUE(falls_apart(0.99 * limit, 0.5, 0));
-  EXPECT_FALSE(falls_apart(1.01 * limit, 0.5, 0));
+  EXPECT_TRUE(has_two_clusters(0.99 * limit, 0.5, 0));
+  EXPECT_FALSE(has_two_clusters(1.01 * limit, 0.5, 0));
 }
 
 TEST(ChenSegmentation, RefusesOptionsOutOfRange) {

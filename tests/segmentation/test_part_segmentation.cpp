@@ -26,15 +26,15 @@ std::size_t count_of(const Labels& labels) { return std::set(labels.begin(), lab
 
 /// Rand disagreement of two segmentations over every seventh triangle.
 double disagreement(const Labels& a, const Labels& b) {
-  double apart = 0;
+  double disagreements = 0;
   double pairs = 0;
   for (std::size_t i = 0; i < a.size(); i += 7) {
     for (std::size_t j = 0; j < i; j += 7) {
       ++pairs;
-      apart += (a[i] == a[j]) != (b[i] == b[j]);
+      disagreements += (a[i] == a[j]) != (b[i] == b[j]);
     }
   }
-  return apart / pairs;
+  return disagreements / pairs;
 }
 
 /// Other patches cut the bar elsewhere. Unrelated segmentations into three parts disagree by 0.4 or more.
@@ -69,7 +69,7 @@ TEST(PartSegmentation, GivesDoubledTrianglesThePartOfTheFirstCopy) {
   }
 }
 
-/// Adds triangles with two corners at one place behind each of some triangles: a repeated index, a coincident vertex,
+/// Adds triangles with two coincident corners behind each of some triangles: a repeated index, a coincident vertex,
 /// and all corners at one vertex.
 Shape with_degenerate(const Shape& shape) {
   Shape result = shape;

@@ -39,9 +39,9 @@ TEST(RegionMerging, StopsAtOneRegionOrTheDefaultMinimumAffinity) {
   Regions regions = regions_in_a_row(3);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.5; }, {});
   EXPECT_EQ(regions.size(), 1) << "an affinity that is just enough";
-  Regions apart = regions_in_a_row(3);
-  merge_regions(apart, [](const Regions&, std::int32_t, std::int32_t) { return 0.499; }, {});
-  EXPECT_EQ(apart.size(), 3);
+  Regions separate = regions_in_a_row(3);
+  merge_regions(separate, [](const Regions&, std::int32_t, std::int32_t) { return 0.499; }, {});
+  EXPECT_EQ(separate.size(), 3);
 }
 
 TEST(RegionMerging, DoesNotMergeRegionsThatDoNotTouch) {

@@ -35,10 +35,10 @@ TEST(SegmentationProxy, SubdividesCoarseMeshes) {
     EXPECT_NEAR(surface_area(result.shape), surface_area(shape), 1e-12 * surface_area(shape));
     EXPECT_NEAR(signed_volume(result.shape), signed_volume(shape), 1e-12 * signed_volume(shape));
     // Each triangle is identified by a small one with the same centroid.
-    const Points given = sample_shape(shape, SampleSite::faces).points;
+    const Points centroids = sample_shape(shape, SampleSite::faces).points;
     const Points fine = sample_shape(result.shape, SampleSite::faces).points;
     for (std::size_t t = 0; t < result.node_of.size(); ++t) {
-      EXPECT_LT((given.row(static_cast<Eigen::Index>(t)) - fine.row(result.node_of[t])).norm(), 1e-12);
+      EXPECT_LT((centroids.row(static_cast<Eigen::Index>(t)) - fine.row(result.node_of[t])).norm(), 1e-12);
     }
   }
 }
@@ -60,10 +60,10 @@ TEST(SegmentationProxy, ReplacesCrackedMeshesByClouds) {
   const SegmentationProxy result = segmentation_proxy(cracked);
   ASSERT_TRUE(is_cloud(result.shape));
   EXPECT_EQ(result.shape.vertices.rows(), 10000);
-  const Points given = sample_shape(cracked, SampleSite::faces).points;
+  const Points centroids = sample_shape(cracked, SampleSite::faces).points;
   for (std::size_t t = 0; t < result.node_of.size(); ++t) {
     const double distance =
-        (given.row(static_cast<Eigen::Index>(t)) - result.shape.vertices.row(result.node_of[t])).norm();
+        (centroids.row(static_cast<Eigen::Index>(t)) - result.shape.vertices.row(result.node_of[t])).norm();
     EXPECT_LT(distance, 0.1);  // 10,000 points of a sphere of radius 1 are 0.035 apart
   }
   EXPECT_EQ(segmentation_proxy(cracked).shape.vertices, result.shape.vertices);

@@ -116,7 +116,7 @@ TEST(SurfaceRegions, WeighNodesByAreaInSums) {
   EXPECT_NEAR(of_top.squared_normal(0, 0), 0, 1e-12);
 }
 
-TEST(SurfaceRegions, TiltIncludesOnlyPairsOfNearbyNodes) {
+TEST(SurfaceRegions, NormalDifferencesIncludeOnlyPairsOfNearbyNodes) {
   // Regions of one triangle each, on the top of a cube of 2.45 units and around its edge.
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 8));
   std::vector<std::int32_t> labels(static_cast<std::size_t>(surface.graph.size()), -1);
@@ -175,7 +175,7 @@ TEST(PatchCosts, AreHigherAtConcavitiesAndChangesOfThickness) {
   EXPECT_NEAR(cost(0, -0.7), 0.5 + 2 * 0.01 * 0.7, 1e-9);
 }
 
-TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherThroughTheInside) {
+TEST(SurfaceRegions, OppositeQuartersOfATorusSeeEachOtherOnlyThroughTheHole) {
   // A torus cut in four quarters: those across see each other through the hole, not through the tube.
   const ThickSurface surface = thick_surface(test::torus(4, 0.5, 24, 96));
   std::vector<std::int32_t> quarters;
@@ -246,24 +246,24 @@ TEST(SurfaceRegions, AreTheSameForAnySizeAndNumberOfThreads) {
 TEST(SurfaceRegions, MatchTheSumsOfMergedPatches) {
   PatchedShape patched(1);
   Regions merged = surface_regions(patched.surface, patched.labels, 30);
-  const std::int32_t kept = 1;
-  ASSERT_FALSE(merged.neighbours(kept).empty());
-  const std::int32_t other = *merged.neighbours(kept).begin();
-  merged.merge(kept, other);
-  std::ranges::replace(patched.labels, other, kept);
+  const std::int32_t target = 1;
+  ASSERT_FALSE(merged.neighbours(target).empty());
+  const std::int32_t other = *merged.neighbours(target).begin();
+  merged.merge(target, other);
+  std::ranges::replace(patched.labels, other, target);
   const Regions measured = surface_regions(patched.surface, patched.labels, 30);
-  EXPECT_NEAR(merged.of(kept).area, measured.of(kept).area, 1e-12);
-  EXPECT_TRUE(merged.of(kept).squared_position.isApprox(measured.of(kept).squared_position, 1e-12));
-  EXPECT_TRUE(merged.of(kept).squared_normal.isApprox(measured.of(kept).squared_normal, 1e-12));
-  EXPECT_TRUE(merged.of(kept).histogram.isApprox(measured.of(kept).histogram, 1e-12));
-  EXPECT_EQ(merged.neighbours(kept), measured.neighbours(kept));
+  EXPECT_NEAR(merged.of(target).area, measured.of(target).area, 1e-12);
+  EXPECT_TRUE(merged.of(target).squared_position.isApprox(measured.of(target).squared_position, 1e-12));
+  EXPECT_TRUE(merged.of(target).squared_normal.isApprox(measured.of(target).squared_normal, 1e-12));
+  EXPECT_TRUE(merged.of(target).histogram.isApprox(measured.of(target).histogram, 1e-12));
+  EXPECT_EQ(merged.neighbours(target), measured.neighbours(target));
   for (std::int32_t i = 0; i < merged.initial_size(); ++i) {
     if (i == other) continue;
-    EXPECT_NEAR(merged.of(kept, i, PairSum::opposite), measured.of(kept, i, PairSum::opposite), 1e-12);
-    if (i == kept) continue;
+    EXPECT_NEAR(merged.of(target, i, PairSum::opposite), measured.of(target, i, PairSum::opposite), 1e-12);
+    if (i == target) continue;
     for (const PairSum what :
          {PairSum::border, PairSum::concave, PairSum::convex, PairSum::folded, PairSum::thickness}) {
-      EXPECT_NEAR(merged.of(kept, i, what), measured.of(kept, i, what), 1e-12);
+      EXPECT_NEAR(merged.of(target, i, what), measured.of(target, i, what), 1e-12);
     }
   }
 }

@@ -26,14 +26,14 @@ inline std::vector<std::map<std::string, std::string>> csv_records(const std::fi
   return records;
 }
 
-/// Returns the only row of a CSV file whose cells equal the pairs (column, text) in `wanted`, as a map from column name
+/// Returns the only row of a CSV file whose cells equal the pairs (column, text) in `cells`, as a map from column name
 /// to cell text. Throws std::out_of_range if no row or several rows match.
-inline std::map<std::string, std::string> csv_record(
-    const std::filesystem::path& file, std::initializer_list<std::pair<std::string, std::string>> wanted) {
+inline std::map<std::string, std::string> csv_record(const std::filesystem::path& file,
+                                                     std::initializer_list<std::pair<std::string, std::string>> cells) {
   std::vector<std::map<std::string, std::string>> found;
   for (const auto& record : csv_records(file)) {
     bool fits = true;
-    for (const auto& [column, text] : wanted) fits &= record.at(column) == text;
+    for (const auto& [column, text] : cells) fits &= record.at(column) == text;
     if (fits) found.push_back(record);
   }
   if (found.size() != 1) throw std::out_of_range(std::to_string(found.size()) + " rows in " + file.string());

@@ -14,11 +14,11 @@ namespace {
 
 struct Doubling {
   std::string name;
-  int copies = 1;             ///< of each triangle that is doubled, besides itself
-  int every = 1;              ///< which triangles are doubled
-  bool turned = false;        ///< whether the copies are oriented the other way
-  bool own_vertices = false;  ///< whether each copy has vertices of its own
-  bool between = false;       ///< whether copies follow their triangle at once, not all after the last one
+  int copies = 1;                  ///< of each triangle that is doubled, besides itself
+  int every = 1;                   ///< which triangles are doubled
+  bool turned = false;             ///< whether the copies are oriented the other way
+  bool separate_vertices = false;  ///< whether no copy shares vertices with its triangle
+  bool between = false;            ///< whether copies follow their triangle at once, not all after the last one
 };
 
 /// Adds a copy of triangle f that begins at another corner.
@@ -26,7 +26,7 @@ void add_copy(ShapeWithDuplicates& doubled, const Shape& mesh, Eigen::Index f, c
   Eigen::RowVector3i corners(mesh.triangles(f, 1), mesh.triangles(f, 2), mesh.triangles(f, 0));
   if (doubling.turned) std::swap(corners[0], corners[1]);
   Shape& shape = doubled.shape;
-  if (doubling.own_vertices) {
+  if (doubling.separate_vertices) {
     for (std::int32_t& vertex : corners) {
       shape.vertices.conservativeResize(shape.vertices.rows() + 1, Eigen::NoChange);
       shape.vertices.bottomRows<1>() = mesh.vertices.row(vertex);
@@ -64,14 +64,14 @@ Shape open_ball() {
     vertex *= 1 + 0.15 * std::sin(3 * vertex.x() + 1) * std::cos(4 * vertex.y()) + 0.05 * std::sin(5 * vertex.z());
   }
   Shape open{ball.vertices, Triangles(0, 3)};
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> remaining;
   for (Eigen::Index f = 0; f < ball.triangles.rows(); ++f) {
     const Eigen::RowVector3d middle = ball.vertices(ball.triangles.row(f), Eigen::all).colwise().mean();
     const bool is_hole = (middle - Eigen::RowVector3d(0.9, 0.3, 0.2)).norm() < 0.2 ||
                          (middle - Eigen::RowVector3d(-0.5, -0.8, 0.3)).norm() < 0.15;
-    if (middle.z() > -0.85 && !is_hole) kept.push_back(f);
+    if (middle.z() > -0.85 && !is_hole) remaining.push_back(f);
   }
-  open.triangles = ball.triangles(kept, Eigen::all);
+  open.triangles = ball.triangles(remaining, Eigen::all);
   return open;
 }
 
@@ -96,9 +96,10 @@ std::vector<ShapeWithDuplicates> variants_with_duplicates(const Shape& mesh) {
        {Doubling{.name = "doubled"}, Doubling{.name = "tripled", .copies = 2},
         Doubling{.name = "doubled between", .between = true}, Doubling{.name = "doubled, turned", .turned = true},
         Doubling{.name = "tripled, turned", .copies = 2, .turned = true, .between = true},
-        Doubling{.name = "doubled, own vertices", .own_vertices = true},
-        Doubling{.name = "tripled, turned, own vertices", .copies = 2, .turned = true, .own_vertices = true},
-        Doubling{.name = "every third doubled, own vertices", .every = 3, .own_vertices = true, .between = true}}) {
+        Doubling{.name = "doubled, own vertices", .separate_vertices = true},
+        Doubling{.name = "tripled, turned, own vertices", .copies = 2, .turned = true, .separate_vertices = true},
+        Doubling{
+            .name = "every third doubled, own vertices", .every = 3, .separate_vertices = true, .between = true}}) {
     all.push_back(doubled(mesh, doubling));
   }
   return all;

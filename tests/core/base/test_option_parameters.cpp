@@ -14,7 +14,7 @@ namespace {
 struct SampleOptions {
   int count = 3;
   double share = 0.5;
-  bool wanted = true;
+  bool enabled = true;
   IntegerList sizes = {2, 4};
 };
 
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 1> automatic{"auto"};
 constexpr std::array sample_table = {
     option_of<&SampleOptions::count>("count", {.low = 1, .high = 9}, "How many."),
     option_of<&SampleOptions::share>("share", {.low = 0, .high = 1, .high_open = true}, "How much."),
-    option_of<&SampleOptions::wanted>("wanted", "Whether at all."),
+    option_of<&SampleOptions::enabled>("enabled", "Whether at all."),
     option_of<&SampleOptions::sizes>("sizes", {.low = 1, .high = 9}, "Of each.", automatic),
 };
 constexpr auto sample_parameters = parameters_of(sample_table);
@@ -63,17 +63,17 @@ TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
   const ParameterValues values(sample_parameters);
   EXPECT_EQ(values.integer("count"), 3);
   EXPECT_EQ(values.number("share"), 0.5);
-  EXPECT_TRUE(values.boolean("wanted"));
+  EXPECT_TRUE(values.boolean("enabled"));
 }
 
 TEST(OptionParameters, ConvertBackToOptions) {
   ParameterValues values(sample_parameters);
   values.set("count", std::int64_t{7});
-  values.set("wanted", false);
+  values.set("enabled", false);
   const SampleOptions options = options_from(sample_table, values);
   EXPECT_EQ(options.count, 7);
   EXPECT_EQ(options.share, 0.5);
-  EXPECT_FALSE(options.wanted);
+  EXPECT_FALSE(options.enabled);
   EXPECT_THROW(values.set("count", std::int64_t{10}), InputError);
 }
 
@@ -117,12 +117,12 @@ TEST(OptionParameters, AreFoundByNameAndCanBeCopiedWithAnotherDescription) {
 }
 
 TEST(OptionParameters, ConvertOptionsToValuesAndBack) {
-  const SampleOptions options{.count = 4, .share = 0.25, .wanted = false, .sizes = {5}};
+  const SampleOptions options{.count = 4, .share = 0.25, .enabled = false, .sizes = {5}};
   const ParameterValues values = values_of(sample_parameters, sample_table, options);
   EXPECT_EQ(values.integer("count"), 4);
   const SampleOptions again = options_from(sample_table, values);
   EXPECT_EQ(again.share, 0.25);
-  EXPECT_FALSE(again.wanted);
+  EXPECT_FALSE(again.enabled);
   EXPECT_EQ(again.sizes, IntegerList(5));
   EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
 }

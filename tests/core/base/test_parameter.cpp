@@ -84,7 +84,7 @@ TEST(ParameterValues, AcceptValuesOfTheirTypeWithinBounds) {
   EXPECT_EQ(values.word("offset"), "auto");
 }
 
-TEST(ParameterValues, OwnCopiesOfTheirWords) {
+TEST(ParameterValues, StoreCopiesOfWords) {
   ParameterValues values(parameters);
   {
     std::string source = "cgal";

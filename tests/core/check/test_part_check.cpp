@@ -107,7 +107,7 @@ Shape tube(double outer, double inner, double shift, int sides) {
   return shape;
 }
 
-/// Expected region: `distance` is that of a point to the places where the minimum may be.
+/// Expected region: `distance` is that of a point to the region in which the minimum may be.
 struct Expected {
   double area;
   double minimum;

@@ -46,7 +46,7 @@ TEST(BilateralSmoothing, KeepsStepsAndRemovesNoise) {
     const double before = (field.values - step).norm();
     const double after = (smooth.values - step).norm();
     EXPECT_LT(after, 0.4 * before) << site.name;
-    // Also beside the step.
+    // Also next to the step.
     EXPECT_LT((smooth.values - step).cwiseAbs().maxCoeff(), 0.2) << site.name;
   }
 }

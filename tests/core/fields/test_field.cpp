@@ -184,8 +184,8 @@ TEST(MakeField, RunTimeIncludesAllSteps) {
                      .parameters = {},
                      .make = [](const ParameterValues& /*values*/, const SamplePlan& /*plan*/) -> FieldComputation {
                        return {.versions = {{"test_seconds", 1}},
-                               .compute = [](FieldSource& /*source*/, const Samples& places, bool /*parallel*/) {
-                                 return FieldValues{.values = places.points.col(2), .build_seconds = 1000};
+                               .compute = [](FieldSource& /*source*/, const Samples& samples, bool /*parallel*/) {
+                                 return FieldValues{.values = samples.points.col(2), .build_seconds = 1000};
                                }};
                      }});
   EXPECT_EQ(compute(make_field(settings_of("test_seconds")), shape).query_seconds, 0);

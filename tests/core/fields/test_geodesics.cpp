@@ -74,9 +74,9 @@ TEST(Geodesics, DistancesOnATriangleSoupMatchItsWeldedMesh) {
   const Shape pieces = soup(shape);
   for (const GeodesicMethod method : {GeodesicMethod::graph, GeodesicMethod::heat, GeodesicMethod::exact}) {
     const Eigen::VectorXd whole = geodesic_distances(shape, by(method))(shape.triangles(0, 0));
-    const Eigen::VectorXd apart = geodesic_distances(pieces, by(method))(0);
+    const Eigen::VectorXd on_pieces = geodesic_distances(pieces, by(method))(0);
     for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      EXPECT_NEAR(apart[3 * f + 1], whole[shape.triangles(f, 1)], 1e-6);
+      EXPECT_NEAR(on_pieces[3 * f + 1], whole[shape.triangles(f, 1)], 1e-6);
     }
   }
 }

@@ -34,20 +34,20 @@ TEST(InscribedBall, OfABoxHasItsThicknessOrTwiceTheDistanceToAnEdge) {
   const Eigen::Array3d half(2, 1.5, 0.5);
   for (Eigen::Index i = 0; i < diameters.size(); ++i) {
     Eigen::Array3d to_side = half - samples.points.row(i).transpose().array().abs();
-    Eigen::Index own = 0;
-    to_side.minCoeff(&own);
-    double expected = 2 * half[own];
+    Eigen::Index side = 0;
+    to_side.minCoeff(&side);
+    double expected = 2 * half[side];
     for (Eigen::Index k = 0; k < 3; ++k) {
-      if (k != own) expected = std::min(expected, 2 * to_side[k]);
+      if (k != side) expected = std::min(expected, 2 * to_side[k]);
     }
     EXPECT_NEAR(diameters[i], expected, 1e-9) << i;
   }
   // Sides at right angles do not count as contacts beyond a right angle.
   const Eigen::VectorXd walls = at_faces(shape);
   for (Eigen::Index i = 0; i < walls.size(); ++i) {
-    Eigen::Index own = 0;
-    (half - samples.points.row(i).transpose().array().abs()).minCoeff(&own);
-    EXPECT_NEAR(walls[i], 2 * half[own], 1e-9) << i;
+    Eigen::Index side = 0;
+    (half - samples.points.row(i).transpose().array().abs()).minCoeff(&side);
+    EXPECT_NEAR(walls[i], 2 * half[side], 1e-9) << i;
   }
 }
 
@@ -63,8 +63,8 @@ TEST(InscribedBall, OfAHollowBoxHasTheThicknessOfTheWall) {
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Eigen::VectorXd diameters = inscribed_ball(shape, samples);
   for (Eigen::Index i = 0; i < diameters.size(); ++i) {
-    const Eigen::Array3d place = samples.points.row(i).transpose().array().abs();
-    const bool over_the_cavity = (place < 1.4).count() == 2;
+    const Eigen::Array3d position = samples.points.row(i).transpose().array().abs();
+    const bool over_the_cavity = (position < 1.4).count() == 2;
     if (over_the_cavity) {
       EXPECT_NEAR(diameters[i], 0.5, 1e-9) << i;
     }

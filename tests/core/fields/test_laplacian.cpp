@@ -124,12 +124,12 @@ TEST(Laplacian, ReturnsAdditionalZeroEigenvaluesForFurtherComponents) {
 
 TEST(Laplacian, SpectrumRefusesThousandsOfComponents) {
   const Shape scales = test::soup(sphere(1, 4));
-  Shape apart = scales;
-  for (Eigen::Index v = 0; v < apart.vertices.rows(); v += 3) {
-    const Eigen::RowVector3d middle = apart.vertices.middleRows<3>(v).colwise().mean();
-    for (Eigen::Index k = v; k < v + 3; ++k) apart.vertices.row(k) = 0.1 * middle + 0.9 * apart.vertices.row(k);
+  Shape separated = scales;
+  for (Eigen::Index v = 0; v < separated.vertices.rows(); v += 3) {
+    const Eigen::RowVector3d middle = separated.vertices.middleRows<3>(v).colwise().mean();
+    for (Eigen::Index k = v; k < v + 3; ++k) separated.vertices.row(k) = 0.1 * middle + 0.9 * separated.vertices.row(k);
   }
-  EXPECT_THROW(laplacian_spectrum(apart, 5), InputError);
+  EXPECT_THROW(laplacian_spectrum(separated, 5), InputError);
   EXPECT_EQ(laplacian_spectrum(scales, 5).eigenvalues.size(), 5);  // coincident vertices are welded
 }
 

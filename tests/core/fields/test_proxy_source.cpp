@@ -14,11 +14,13 @@ namespace {
 
 Samples some_samples(const Shape& shape) { return sample_surface(shape, 60); }
 
-/// The definition of interpolate_to_samples() taken literally: of the seven nearest points, by distance and normals.
-double interpolated(const SurfaceProxy& proxy, const Eigen::RowVector3d& place, const Eigen::RowVector3d& normal,
+/// The definition of interpolate_to_samples() implemented literally: of the seven nearest points, by distance and
+/// normals.
+double interpolated(const SurfaceProxy& proxy, const Eigen::RowVector3d& position, const Eigen::RowVector3d& normal,
                     const Eigen::VectorXd& values) {
   std::vector<std::pair<double, Eigen::Index>> nearest;
-  for (Eigen::Index i = 0; i < proxy.points.rows(); ++i) nearest.emplace_back((proxy.points.row(i) - place).norm(), i);
+  for (Eigen::Index i = 0; i < proxy.points.rows(); ++i)
+    nearest.emplace_back((proxy.points.row(i) - position).norm(), i);
   std::ranges::sort(nearest);
   nearest.resize(7);
   double sum = 0;

@@ -53,7 +53,7 @@ TEST(MappedFile, ReportsTheSameErrorsAsReading) {
 
 using AtomicFileTest = test::FolderTest;
 
-TEST_F(AtomicFileTest, WritesExactlyTheGivenBytes) {
+TEST_F(AtomicFileTest, WritesNulAndLineEndsUnchanged) {
   const std::string bytes("a\0b\r\n", 5);
   write_file_atomically(at("out"), bytes);
   EXPECT_EQ(bytes_of(at("out")), bytes);

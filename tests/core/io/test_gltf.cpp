@@ -41,9 +41,9 @@ std::string document(const std::string& nodes, const std::string& buffer = R"("u
 }
 
 std::string with_change(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
+  const std::size_t position = text.find(from);
+  EXPECT_NE(position, std::string::npos) << from;
+  return text.replace(position, from.size(), to);
 }
 
 class GltfReader : public test::FolderTest {

@@ -76,12 +76,12 @@ TEST_F(UnusableFiles, WithDamagedBytesAreReadOrGiveAnInputError) {
   std::mt19937 random(20240229);
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
-    std::uniform_int_distribution<std::size_t> place(0, bytes.size() - 1);
+    std::uniform_int_distribution<std::size_t> position(0, bytes.size() - 1);
     std::uniform_int_distribution<int> value(0, 255);
     int refused = 0;
     for (int i = 0; i < 400; ++i) {
       std::string damaged = bytes;
-      for (int k = 0; k <= i % 4; ++k) damaged[place(random)] = static_cast<char>(value(random));
+      for (int k = 0; k <= i % 4; ++k) damaged[position(random)] = static_cast<char>(value(random));
       refused += is_read(folder_.file(name, damaged)) ? 0 : 1;
     }
     EXPECT_GT(refused, 0);

@@ -63,8 +63,8 @@ TEST(BlockCells, CellsAcrossASideMatchATestOfEachCell) {
       const Eigen::Vector3i step = sides()[static_cast<std::size_t>(side)];
       // A cell of the neighbour, seen from the block, is one step beyond the block's side.
       EXPECT_EQ(cells_across(cells, side), cells_where([&](const Eigen::Vector3i& at) {
-                  const Eigen::Vector3i own = at + block_edge * step - step;
-                  return is_inside(own) && has_cell(cells, own);
+                  const Eigen::Vector3i local = at + block_edge * step - step;
+                  return is_inside(local) && has_cell(cells, local);
                 }))
           << "side " << side;
     }

@@ -29,7 +29,7 @@ TEST(BlockGrid, OutermostBlocksLieBeyondTheOffset) {
       return Eigen::Vector3d{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(0, 1)};
     };
     Eigen::AlignedBox3d bounds(point());
-    if (round % 3 != 0) bounds.extend(point());  // otherwise a single place
+    if (round % 3 != 0) bounds.extend(point());  // otherwise a single point
     const double offset = random.uniform(0.05, 2);
     const double h = offset / random.uniform(2, 8);
     const BlockGrid grid(bounds, offset, h);

@@ -34,8 +34,8 @@ struct LiteralCells {
       const int bit = in_block.x() + block_edge * (in_block.y() + block_edge * in_block.z());
       touches_exterior |= (exterior.exterior_cells(block) >> bit & 1U) != 0;
       if (exterior.block(block) < 0) continue;
-      const auto place = static_cast<std::size_t>(exterior.block(block));
-      const std::int32_t nearest = exterior.boundary()[place].nearest[static_cast<std::size_t>(bit)];
+      const auto index = static_cast<std::size_t>(exterior.block(block));
+      const std::int32_t nearest = exterior.boundary()[index].nearest[static_cast<std::size_t>(bit)];
       triangles.insert(nearest < 0 ? ~nearest : nearest);
     }
   }

@@ -69,12 +69,12 @@ TEST(ExteriorGrid, StoresTheNearestTriangleOfCellsNearTheOffsetSurface) {
 /// The box [-1, 1]^3 without one of its sides.
 Shape open_box(Eigen::Index axis, double side) {
   Shape box = test::box({2, 2, 2}, 1);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> remaining;
   for (Eigen::Index f = 0; f < box.triangles.rows(); ++f) {
     const Eigen::Vector3d along = box.vertices(box.triangles.row(f), axis);
-    if ((along.array() != side).any()) kept.push_back(f);
+    if ((along.array() != side).any()) remaining.push_back(f);
   }
-  box.triangles = Triangles(box.triangles(kept, Eigen::all));
+  box.triangles = Triangles(box.triangles(remaining, Eigen::all));
   return box;
 }
 
@@ -91,9 +91,9 @@ TEST(ExteriorGrid, FillsAnOpenBoxToItsBottomFromEachSide) {
         for (int bit = 0; bit < cells_per_block; ++bit, ++i) {
           const Eigen::Vector3d cell =
               (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
-          const Eigen::Vector3d place = flooded.grid.origin + flooded.grid.cell * cell;
-          if (place.cwiseAbs().maxCoeff() < 1 - 1.03 * r) {
-            EXPECT_TRUE(cells[i]) << place.transpose();
+          const Eigen::Vector3d position = flooded.grid.origin + flooded.grid.cell * cell;
+          if (position.cwiseAbs().maxCoeff() < 1 - 1.03 * r) {
+            EXPECT_TRUE(cells[i]) << position.transpose();
           }
         }
       }

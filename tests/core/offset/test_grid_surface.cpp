@@ -26,10 +26,10 @@ TEST(GridSurface, SamplesTrianglesAtTheRequestedSpacing) {
     const auto corner = [&](int k) { return grid.to_cells(torus.vertices.row(torus.triangles(f, k)).transpose()); };
     const double u = random.uniform(0, 1);
     const double v = random.uniform(0, 1 - u);
-    const Eigen::Vector3d place = corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0));
+    const Eigen::Vector3d position = corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0));
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < surface.points.size(); ++i) {
-      if (surface.points.triangle[i] == f) nearest = std::min(nearest, (point_at(surface.points, i) - place).norm());
+      if (surface.points.triangle[i] == f) nearest = std::min(nearest, (point_at(surface.points, i) - position).norm());
     }
     EXPECT_LE(nearest, spacing) << f;
   }
@@ -67,17 +67,17 @@ TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
   RandomNumbers random(2, 0);
   std::vector<GridPoints::Run> runs;
   for (int round = 0; round < 200; ++round) {
-    const Eigen::Vector3d place{random.uniform(0, block_edge * grid.blocks.x()),
-                                random.uniform(0, block_edge * grid.blocks.y()),
-                                random.uniform(0, block_edge * grid.blocks.z())};
+    const Eigen::Vector3d position{random.uniform(0, block_edge * grid.blocks.x()),
+                                   random.uniform(0, block_edge * grid.blocks.y()),
+                                   random.uniform(0, block_edge * grid.blocks.z())};
     const double reach = random.uniform(0.1, 9);
-    surface.points.find_runs(grid, place, reach, runs);
+    surface.points.find_runs(grid, position, reach, runs);
     std::vector<int> found(surface.points.size(), 0);
     for (const auto& [begin, end] : runs) {
       for (std::uint32_t i = begin; i < end; ++i) ++found[i];
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const double far = (point_at(surface.points, i) - place).cwiseAbs().maxCoeff();
+      const double far = (point_at(surface.points, i) - position).cwiseAbs().maxCoeff();
       if (far < reach - 1e-3) {
         ASSERT_EQ(found[i], 1);
       }

@@ -41,7 +41,7 @@ TEST(MeanNormals, OfAPlaneAreItsNormalForAnyOrientationOfFaces) {
 
 TEST(MeanNormals, OfASphereMatchTheIntegral) {
   // Within a small angle a of the pole the mean of cos^2, weighted by (1 - (t/a)^2)^2, is 1 - a^2/4 to second order; a
-  // is r/2, and the mean is taken twice.
+  // is r/2, and the mean is computed twice.
   const Shape sphere = test::sphere(1, 5);
   const Samples samples = sample_shape(sphere, SampleSite::faces);
   const Points means = means_at(sphere, samples);

@@ -44,8 +44,8 @@ struct DepthGrid {
   ExteriorGrid exterior;
 };
 
-/// Places at distances of about r from the surface, on both sides.
-std::vector<OffsetDepthTask> places_about(const DepthGrid& of) {
+/// Points at distances of about r from the surface, on both sides.
+std::vector<OffsetDepthTask> depth_tasks(const DepthGrid& of) {
   const Samples samples = sample_shape(of.shape, SampleSite::faces);
   RandomNumbers random(1);
   std::vector<OffsetDepthTask> tasks;
@@ -59,7 +59,7 @@ std::vector<OffsetDepthTask> places_about(const DepthGrid& of) {
 
 TEST(OffsetDepth, MatchesTheDistanceToTheSurface) {
   const DepthGrid of(test::torus(1, 0.4, 60, 40));
-  std::vector<OffsetDepthTask> tasks = places_about(of);
+  std::vector<OffsetDepthTask> tasks = depth_tasks(of);
   of.solve(tasks);
   int small = 0;
   int exterior = 0;

@@ -206,7 +206,7 @@ TEST(OffsetExit, IsTheFirstPointAtAnExteriorCellBeyondTheOffset) {
   const BlockGrid& grid = exit.exterior().grid();
   const Samples samples = sample_shape(shape, SampleSite::faces);
   RandomNumbers random(5);
-  int places = 0;
+  int checked = 0;
   for (Eigen::Index i = 0; i < samples.points.rows(); i += 3) {
     const Eigen::Vector3d p = samples.points.row(i);
     const Eigen::Vector3d direction = random_direction(random);
@@ -219,10 +219,10 @@ TEST(OffsetExit, IsTheFirstPointAtAnExteriorCellBeyondTheOffset) {
       const bool is_at_exterior = touches_exterior(exit.exterior(), grid.to_cells(p + (s - margin) * direction)) &&
                                   touches_exterior(exit.exterior(), grid.to_cells(p + (s + margin) * direction));
       EXPECT_FALSE(is_free && is_at_exterior) << i << " at " << s / r << " of " << t / r;
-      ++places;
+      ++checked;
     }
   }
-  EXPECT_GT(places, 1000);
+  EXPECT_GT(checked, 1000);
 }
 
 }  // namespace

@@ -69,11 +69,11 @@ TEST(OffsetSites, AreOnTheOffsetSurface) {
   ASSERT_GT(numbers.size(), 1000U);
   const double r = all.grid.r;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const Eigen::Vector3d place = all.sites.position(numbers[i]);
-    EXPECT_NEAR(all.distance_to_triangle(all.sites.triangle(numbers[i]), place), r, 1e-4);
+    const Eigen::Vector3d position = all.sites.position(numbers[i]);
+    EXPECT_NEAR(all.distance_to_triangle(all.sites.triangle(numbers[i]), position), r, 1e-4);
     if (i % 20 != 0) continue;
     // The triangle of the nearest point is hardly farther than the closest one, see BlockDistances.
-    EXPECT_GT(all.distance_to_surface(place), r - spacing_of_points * spacing_of_points / (2 * r));
+    EXPECT_GT(all.distance_to_surface(position), r - spacing_of_points * spacing_of_points / (2 * r));
   }
 }
 
@@ -152,7 +152,7 @@ TEST(OffsetSites, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-Eigen::Vector3d random_place(RandomNumbers& random, const BlockGrid& grid, double margin) {
+Eigen::Vector3d random_position(RandomNumbers& random, const BlockGrid& grid, double margin) {
   Eigen::Vector3d x;
   for (int k = 0; k < 3; ++k) x[k] = random.uniform(-margin, block_edge * grid.blocks[k] + margin);
   return x;
@@ -170,7 +170,7 @@ TEST(NearbySites, DistanceToTheNearestMatchesExhaustiveSearch) {
   NearbySites nearby(all.exterior, all.sites);
   RandomNumbers random(1);
   for (int round = 0; round < 150; ++round) {
-    const Eigen::Vector3d x = random_place(random, all.grid, 20);
+    const Eigen::Vector3d x = random_position(random, all.grid, 20);
     EXPECT_NEAR(nearby.distance_to_nearest(x), nearest_site(all, numbers, x), 1e-3);
   }
 }
@@ -195,22 +195,22 @@ TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
   NearbySites nearby(all.exterior, all.sites);
   RandomNumbers random(2);
   for (int round = 0; round < 60; ++round) {
-    Eigen::AlignedBox3d box(random_place(random, all.grid, 0));
+    Eigen::AlignedBox3d box(random_position(random, all.grid, 0));
     box.extend(box.min() + Eigen::Vector3d{random.uniform(0, 5), random.uniform(0, 5), random.uniform(0, 5)});
     const double reach = random.uniform(1, 20);
     nearby.collect(box, reach);
     const Eigen::Vector3d within = (box.min() + 2 * box.max()) / 3;
-    const std::array<Eigen::Vector3d, 2> places{box.min(), within};
-    const std::array<double, 2> distances = nearby.measure(places);
+    const std::array<Eigen::Vector3d, 2> points{box.min(), within};
+    const std::array<double, 2> distances = nearby.measure(points);
     for (std::size_t i = 0; i < 2; ++i) {
-      const double nearest = nearest_site(all, numbers, places[i]);
+      const double nearest = nearest_site(all, numbers, points[i]);
       if (nearest < reach) {
         EXPECT_NEAR(distances[i], nearest, 1e-3);
       } else {
         EXPECT_GT(distances[i], nearest - 1e-3);
       }
     }
-    // All of them, not the nearest alone; of sites at one place the first.
+    // All of them, not the nearest alone; of coincident sites the first.
     std::vector<NearbySites::Site> found;
     nearby.find_start_sites(0, 1e6, 0, numbers.size(), found);
     std::set<std::array<double, 3>> collected;
@@ -234,35 +234,35 @@ TEST(NearbySites, StartSitesAreNearThePointAndFarFromEachOther) {
   std::size_t most = 0;
   for (const Eigen::Vector3d& x :
        {Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(1, 0.1, 0), Eigen::Vector3d(0.45, 0, 0)}) {
-    const Eigen::Vector3d place = all.grid.to_cells(x);
+    const Eigen::Vector3d position = all.grid.to_cells(x);
     nearby.collect({Eigen::Vector3d::Zero(), all.grid.blocks.cast<double>() * block_edge}, 1);
-    const std::array<double, 2> nearest = nearby.measure({Eigen::Vector3d::Zero(), place});
+    const std::array<double, 2> nearest = nearby.measure({Eigen::Vector3d::Zero(), position});
     for (const double margin : {0.5, 2.0, 6.0}) {
-      for (const double apart : {0.5, 3.0}) {
+      for (const double spacing : {0.5, 3.0}) {
         constexpr std::size_t max_count = 40;
         std::vector<NearbySites::Site> starts;
-        nearby.find_start_sites(1, margin, apart, max_count, starts);
+        nearby.find_start_sites(1, margin, spacing, max_count, starts);
         ASSERT_FALSE(starts.empty());
         ASSERT_LE(starts.size(), max_count);
         most = std::max(most, starts.size());
         EXPECT_NEAR(static_cast<double>(starts.front().distance), nearest[1], 1e-4);
         for (std::size_t i = 0; i < starts.size(); ++i) {
           const Eigen::Vector3d start = all.sites.position(starts[i].site);
-          EXPECT_NEAR(static_cast<double>(starts[i].distance), (start - place).norm(), 1e-3);
+          EXPECT_NEAR(static_cast<double>(starts[i].distance), (start - position).norm(), 1e-3);
           EXPECT_LT(starts[i].distance, nearest[1] + margin + 1e-4);
           for (std::size_t k = 0; k < i; ++k) {
             EXPECT_LE(starts[k].distance, starts[i].distance);
-            EXPECT_GT((all.sites.position(starts[k].site) - start).norm(), apart - 1e-4);
+            EXPECT_GT((all.sites.position(starts[k].site) - start).norm(), spacing - 1e-4);
           }
         }
         // A site that is not among them is near one that is no farther, or farther than the last of a full list.
         for (const std::uint32_t site : numbers) {
           const Eigen::Vector3d at = all.sites.position(site);
-          const double distance = (at - place).norm();
+          const double distance = (at - position).norm();
           if (distance > nearest[1] + margin - 1e-3) continue;
           const bool is_represented = std::ranges::any_of(starts, [&](const NearbySites::Site& start) {
             return static_cast<double>(start.distance) <= distance + 1e-3 &&
-                   (all.sites.position(start.site) - at).norm() <= apart + 1e-3;
+                   (all.sites.position(start.site) - at).norm() <= spacing + 1e-3;
           });
           const bool is_beyond =
               starts.size() == max_count && distance > static_cast<double>(starts.back().distance) - 1e-3;

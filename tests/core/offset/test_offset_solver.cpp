@@ -68,7 +68,7 @@ TEST(OffsetSolver, ReportsPointsOffTheSurfaceAsMissing) {
 }
 
 TEST(OffsetSolver, SolvesSamplesOnTrianglesOmittedFromTheGrid) {
-  // 327,680 triangles, of which less than a tenth are kept for an offset of 10 %.
+  // 327,680 triangles, of which less than a tenth are used for an offset of 10 %.
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 7));
   const Samples samples = sample_surface(sphere, 2000);
   const OffsetResults results = solve_on_grid(sphere, samples.points, samples.normals, {.offset = 0.1});

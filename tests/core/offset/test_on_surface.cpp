@@ -20,11 +20,11 @@ TEST(OnSurfaceCheck, AcceptsSamplesAndRejectsPointsOffTheSurface) {
   std::vector<std::uint32_t> nearby;
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     const Eigen::Vector3d p = grid.to_cells(samples.points.row(i).transpose());
-    const Eigen::Vector3d beside = p + 0.05 * grid.r * samples.normals.row(i).transpose();
+    const Eigen::Vector3d off_surface = p + 0.05 * grid.r * samples.normals.row(i).transpose();
     // With its own triangle, and with one elsewhere.
     for (const Eigen::Index triangle : {i, (i + 600) % samples.points.rows()}) {
       EXPECT_TRUE(is_on_surface(exterior, torus, p, static_cast<std::int32_t>(triangle), nearby)) << i;
-      EXPECT_FALSE(is_on_surface(exterior, torus, beside, static_cast<std::int32_t>(triangle), nearby)) << i;
+      EXPECT_FALSE(is_on_surface(exterior, torus, off_surface, static_cast<std::int32_t>(triangle), nearby)) << i;
     }
   }
 }

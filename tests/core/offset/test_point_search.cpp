@@ -54,9 +54,9 @@ TEST(PointSearch, FindsAllPointsWithinADistance) {
       std::vector<std::uint32_t> expected;
       std::vector<std::uint32_t> nearly;
       for (std::size_t i = 0; i < of.surface.points.size(); ++i) {
-        const double apart = (of.point(i) - x).norm();
-        if (apart < distance - 1e-4) expected.push_back(static_cast<std::uint32_t>(i));
-        if (apart < distance + 1e-4) nearly.push_back(static_cast<std::uint32_t>(i));
+        const double to_point = (of.point(i) - x).norm();
+        if (to_point < distance - 1e-4) expected.push_back(static_cast<std::uint32_t>(i));
+        if (to_point < distance + 1e-4) nearly.push_back(static_cast<std::uint32_t>(i));
       }
       ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
       ASSERT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
@@ -73,10 +73,10 @@ TEST(ClosestTriangles, MatchExhaustiveSearchNearARegion) {
     const double shift = closest.region_shift();
     const std::size_t count = of.surface.points.size();
     for (int round = 0; round < 1000; ++round) {
-      const Eigen::Vector3d place = of.point(random.below(count));
+      const Eigen::Vector3d hint = of.point(random.below(count));
       const Eigen::Vector3d x =
-          place + Eigen::Vector3d(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
-      const Eigen::Vector3d centre = edge * (((place.array() + shift) / edge).floor() + 0.5) - shift;
+          hint + Eigen::Vector3d(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+      const Eigen::Vector3d centre = edge * (((hint.array() + shift) / edge).floor() + 0.5) - shift;
       double nearest = std::numeric_limits<double>::infinity();
       std::int32_t expected = -1;
       for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +85,7 @@ TEST(ClosestTriangles, MatchExhaustiveSearchNearARegion) {
         nearest = (of.point(i) - x).norm();
         expected = of.surface.points.triangle[i];
       }
-      const std::int32_t found = closest.closest_near(place, x);
+      const std::int32_t found = closest.closest_near(hint, x);
       ASSERT_GE(found, 0);
       const auto distance = [&](std::int32_t triangle) {
         return std::sqrt(of.surface.triangles.squared_distance(x, triangle));
@@ -93,7 +93,7 @@ TEST(ClosestTriangles, MatchExhaustiveSearchNearARegion) {
       EXPECT_LE(distance(found), distance(expected) + 1e-4);
       // The answer of a new search, whose cache is empty, is the same.
       if (round % 10 == 0) {
-        EXPECT_EQ(ClosestTriangles(of.grid, of.surface).closest_near(place, x), found);
+        EXPECT_EQ(ClosestTriangles(of.grid, of.surface).closest_near(hint, x), found);
       }
     }
   }
@@ -125,9 +125,9 @@ TEST(ClosestTriangles, TiesGoToTheLowestIndexForEveryVectorWidth) {
       RandomNumbers random(5);
       ClosestTriangles closest(of.grid, of.surface);
       for (int round = 0; round < 200; ++round) {
-        const Eigen::Vector3d place = of.point(random.below(of.surface.points.size()));
-        EXPECT_LT(closest.closest_near(place, place), shape.triangles.rows());
-        EXPECT_LT(closest.closest_within(3, place), shape.triangles.rows());
+        const Eigen::Vector3d point = of.point(random.below(of.surface.points.size()));
+        EXPECT_LT(closest.closest_near(point, point), shape.triangles.rows());
+        EXPECT_LT(closest.closest_within(3, point), shape.triangles.rows());
       }
     }
     hwy::SetSupportedTargetsForTest(0);

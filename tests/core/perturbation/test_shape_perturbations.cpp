@@ -25,7 +25,7 @@ Shape applied(std::string_view name, const Settings& settings, const Shape& shap
 
 const Shape sphere = test::sphere(1, 3);
 
-/// The entries do what their functions do, with the settings in the right places.
+/// Each entry calls its function with each setting as the right argument.
 TEST(ShapePerturbations, ApplyTheLibraryFunctionsOfTheirNames) {
   const auto expect_same = [](const Shape& a, const Shape& b) {
     EXPECT_EQ(a.vertices, b.vertices);

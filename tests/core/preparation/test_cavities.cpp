@@ -23,8 +23,8 @@ TEST(Cavities, AreInnerSurfacesThatFaceInwards) {
 
 TEST(Cavities, ExcludeSolidsInsideSolids) {
   EXPECT_EQ(closed_components(test::joined({test::box({4, 4, 4}, 2), test::sphere(1, 2)})).cavities, 0U);
-  const Shape beside = test::transformed(test::flipped(test::sphere(1, 2)), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
-  EXPECT_EQ(closed_components(test::joined({test::box({4, 4, 4}, 2), beside})).cavities, 0U);
+  const Shape outside = test::transformed(test::flipped(test::sphere(1, 2)), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
+  EXPECT_EQ(closed_components(test::joined({test::box({4, 4, 4}, 2), outside})).cavities, 0U);
 }
 
 TEST(Cavities, ExcludeReversedBodiesThatNoBodyEncloses) {

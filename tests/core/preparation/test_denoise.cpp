@@ -42,10 +42,10 @@ TEST(VertexNeighbours, OfATriangleSoupMatchItsWeldedMesh) {
   const VertexNeighbours expected = vertex_neighbours(torus);
   const VertexNeighbours found = vertex_neighbours(soup);
   for (Eigen::Index v = 0; v < soup.vertices.rows(); ++v) {
-    std::vector<std::int32_t> places;  // the neighbours by the mesh's indices
-    for (const std::int32_t u : found.of(v)) places.push_back(torus.triangles(u / 3, u % 3));
-    std::ranges::sort(places);
-    EXPECT_THAT(places, ElementsAreArray(expected.of(torus.triangles(v / 3, v % 3)))) << v;
+    std::vector<std::int32_t> vertices;  // the neighbours by the mesh's indices
+    for (const std::int32_t u : found.of(v)) vertices.push_back(torus.triangles(u / 3, u % 3));
+    std::ranges::sort(vertices);
+    EXPECT_THAT(vertices, ElementsAreArray(expected.of(torus.triangles(v / 3, v % 3)))) << v;
   }
 }
 

@@ -70,12 +70,12 @@ TEST(Diagnose, CountsInconsistentEdgesOfAReversedTriangle) {
 }
 
 TEST(Diagnose, ConnectsComponentsAtCoincidentVertices) {
-  const auto beside = [](double x, double y) {
+  const auto two_cubes = [](double x, double y) {
     return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
-  EXPECT_EQ(diagnose(beside(3, 0)).components, 2U);
-  EXPECT_EQ(diagnose(beside(3, 0)).coincident_vertices, 0U);
-  const ShapeDiagnostics touching = diagnose(beside(1, 1));
+  EXPECT_EQ(diagnose(two_cubes(3, 0)).components, 2U);
+  EXPECT_EQ(diagnose(two_cubes(3, 0)).coincident_vertices, 0U);
+  const ShapeDiagnostics touching = diagnose(two_cubes(1, 1));
   EXPECT_EQ(touching.components, 1U);
   EXPECT_EQ(touching.coincident_vertices, 2U);
   EXPECT_EQ(touching.non_manifold_edges, 1U) << "the common edge has four triangles";
@@ -102,7 +102,7 @@ TEST(Diagnose, ReportsAMoebiusStripAsNonOrientable) {
 }
 
 TEST(Diagnose, ReportsAMeshWithAnInnerWallAsClosedButNonManifold) {
-  // Two tetrahedra glued at a face; with that face kept, its edges have three triangles each.
+  // Two tetrahedra glued at a face; if that face remains, its edges have three triangles each.
   const Shape pair{.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                    .triangles = Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
   EXPECT_TRUE(diagnose(pair).closed);

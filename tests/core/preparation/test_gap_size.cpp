@@ -18,12 +18,12 @@ namespace {
 /// Removes the triangles whose centroid satisfies a condition.
 template <typename Condition>
 Shape without(Shape shape, Condition condition) {
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> remaining;
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto corner = [&](int k) { return shape.vertices.row(shape.triangles(f, k)).transpose().eval(); };
-    if (!condition(Eigen::Vector3d((corner(0) + corner(1) + corner(2)) / 3))) kept.push_back(f);
+    if (!condition(Eigen::Vector3d((corner(0) + corner(1) + corner(2)) / 3))) remaining.push_back(f);
   }
-  shape.triangles = shape.triangles(kept, Eigen::all).eval();
+  shape.triangles = shape.triangles(remaining, Eigen::all).eval();
   return shape;
 }
 

@@ -12,11 +12,11 @@ namespace shapegauge::test {
 inline Shape cracked(const Shape& shape, double fraction, std::uint64_t seed) {
   RandomNumbers random(seed);
   Shape result = shape;
-  Eigen::Index kept = 0;
+  Eigen::Index remaining = 0;
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    if (random.uniform(0, 1) >= fraction) result.triangles.row(kept++) = shape.triangles.row(f);
+    if (random.uniform(0, 1) >= fraction) result.triangles.row(remaining++) = shape.triangles.row(f);
   }
-  result.triangles.conservativeResize(kept, 3);
+  result.triangles.conservativeResize(remaining, 3);
   return result;
 }
 

@@ -109,12 +109,12 @@ void expect_same_samples(const Shape& a, const Shape& b, const std::vector<std::
   EXPECT_EQ(of_a.points, of_b.points);
   EXPECT_EQ(of_a.areas, of_b.areas);
   for (Eigen::Index i = 0; i < 500; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    EXPECT_EQ(of_a.triangles[place], triangles[static_cast<std::size_t>(of_b.triangles[place])]);
+    const auto index = static_cast<std::size_t>(i);
+    EXPECT_EQ(of_a.triangles[index], triangles[static_cast<std::size_t>(of_b.triangles[index])]);
     EXPECT_EQ(of_a.normals.row(i).cwiseAbs(), of_b.normals.row(i).cwiseAbs());
     const auto first = static_cast<std::int32_t>(0);
     const auto sample = static_cast<std::int32_t>(i);
-    EXPECT_EQ(of_a.sheets[place] == of_a.sheets[0], of_b.sheets[place] == of_b.sheets[0]);
+    EXPECT_EQ(of_a.sheets[index] == of_a.sheets[0], of_b.sheets[index] == of_b.sheets[0]);
     EXPECT_EQ(normal_agreement(of_a, first, sample), normal_agreement(of_b, first, sample));
   }
 }
@@ -193,13 +193,13 @@ TEST(DenseSamples, RejectShapesWithoutArea) {
   EXPECT_THROW(dense({Points::Ones(5, 3), {}, {}}, 10), InputError);
 }
 
-std::set<std::tuple<double, double, double>> places_of(const Points& points) {
-  std::set<std::tuple<double, double, double>> places;
-  for (const auto& row : points.rowwise()) places.emplace(row[0], row[1], row[2]);
-  return places;
+std::set<std::tuple<double, double, double>> positions_of(const Points& points) {
+  std::set<std::tuple<double, double, double>> positions;
+  for (const auto& row : points.rowwise()) positions.emplace(row[0], row[1], row[2]);
+  return positions;
 }
 
-/// 300 places on a sphere, 40 of them twice.
+/// 300 points on a sphere, 40 of them twice.
 Shape repetitive_cloud() {
   Shape cloud = test::random_points(test::sphere(1, 4), 300, 1);
   cloud.vertices.conservativeResize(340, 3);
@@ -211,7 +211,7 @@ TEST(DenseSamples, OfACloudAreItsDistinctPoints) {
   const Shape cloud = repetitive_cloud();
   const DenseSamples samples = dense(cloud, 1000);
   ASSERT_EQ(samples.points.rows(), 300);
-  EXPECT_EQ(places_of(samples.points), places_of(cloud.vertices));
+  EXPECT_EQ(positions_of(samples.points), positions_of(cloud.vertices));
   EXPECT_TRUE(samples.triangles.empty());
   EXPECT_EQ(std::ranges::count(samples.sheets, -1), 300);
   EXPECT_EQ(samples.areas, point_weights(samples.points));
@@ -240,18 +240,18 @@ TEST(DenseSamples, OfALargeCloudAreEveryNthPointAlongTheMortonCurve) {
       EXPECT_EQ((all.rowwise() - point).rowwise().squaredNorm().minCoeff(&rank), 0);
       ranks.push_back(rank);
     }
-    const double apart = 300.0 / static_cast<double>(count);
+    const double spacing = 300.0 / static_cast<double>(count);
     for (std::size_t i = 0; i < ranks.size(); ++i) {
       // The middle of the i-th of equal parts, rounded down.
-      EXPECT_NEAR(static_cast<double>(ranks[i]), (static_cast<double>(i) + 0.5) * apart - 0.5, 0.5);
+      EXPECT_NEAR(static_cast<double>(ranks[i]), (static_cast<double>(i) + 0.5) * spacing - 0.5, 0.5);
     }
   }
 }
 
 /// Two samples with these normals in these sheets.
-DenseSamples two_samples(const Eigen::RowVector3d& place, const Eigen::RowVector3d& first,
+DenseSamples two_samples(const Eigen::RowVector3d& position, const Eigen::RowVector3d& first,
                          const Eigen::RowVector3d& second, std::int32_t sheet_of_second = 0) {
-  return {Points{{0, 0, 0}, {place.x(), place.y(), place.z()}},
+  return {Points{{0, 0, 0}, {position.x(), position.y(), position.z()}},
           Points{{first.x(), first.y(), first.z()}, {second.x(), second.y(), second.z()}},
           Eigen::VectorXd::Ones(2),
           {0, sheet_of_second},
@@ -276,10 +276,10 @@ TEST(NormalAgreement, IgnoresTheSignBetweenSheets) {
 TEST(OnSameSheet, HoldsForArcsBelow107Degrees) {
   for (int degrees = 1; degrees < 180; degrees += 2) {
     const double turn = degrees * std::numbers::pi / 180;
-    const Eigen::RowVector3d place(std::sin(turn), 0, std::cos(turn) - 1);
+    const Eigen::RowVector3d position(std::sin(turn), 0, std::cos(turn) - 1);
     const Eigen::RowVector3d normal(std::sin(turn), 0, std::cos(turn));
     for (const double sign : {1.0, -1.0}) {  // seen from either side
-      EXPECT_EQ(are_on_same_sheet(two_samples(place, {0, 0, sign}, sign * normal)), degrees < 107.46) << degrees;
+      EXPECT_EQ(are_on_same_sheet(two_samples(position, {0, 0, sign}, sign * normal)), degrees < 107.46) << degrees;
     }
   }
 }
@@ -296,9 +296,9 @@ TEST(OnSameSheet, HoldsForOffsetParallelPlanesBelowALimitAngle) {
   // Both distances from the planes are sin(a), and their squares are below 0.2 together.
   const double limit = std::asin(std::sqrt(0.1));
   for (const double angle : {0.0, 0.9 * limit, 1.1 * limit, 1.5}) {
-    const Eigen::RowVector3d place(std::cos(angle), 0, std::sin(angle));
-    EXPECT_EQ(are_on_same_sheet(two_samples(place, {0, 0, 1}, {0, 0, 1})), angle < limit) << angle;
-    EXPECT_EQ(are_on_same_sheet(two_samples(7 * place, {0, 0, 1}, {0, 0, 1})), angle < limit) << "at any distance";
+    const Eigen::RowVector3d position(std::cos(angle), 0, std::sin(angle));
+    EXPECT_EQ(are_on_same_sheet(two_samples(position, {0, 0, 1}, {0, 0, 1})), angle < limit) << angle;
+    EXPECT_EQ(are_on_same_sheet(two_samples(7 * position, {0, 0, 1}, {0, 0, 1})), angle < limit) << "at any distance";
   }
 }
 

@@ -17,7 +17,7 @@ DenseSamples samples_of(const Shape& shape, Eigen::Index count) {
   return dense_samples(shape, half_edges(shape.triangles, welded_vertices(shape.vertices)), count);
 }
 
-/// The definition of farthest_points() taken literally, without blocks.
+/// The definition of farthest_points() implemented literally, without blocks.
 FarthestPoints literal_farthest_points(const DenseSamples& samples, Eigen::Index count) {
   const Eigen::Index size = samples.points.rows();
   const double always_covered = 0.01 * samples.areas.sum() / static_cast<double>(count);

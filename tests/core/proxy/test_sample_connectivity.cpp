@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Samples of no sheet, one apart, of 10 x 10 places (u, v) each mapped to a position.
+/// 10 x 10 samples of no sheet: position(u, v) for u and v from 0 to 9.
 template <typename Position>
 DenseSamples grid_of(const Eigen::RowVector3d& normal, Position position) {
   DenseSamples samples{
@@ -54,7 +54,7 @@ TEST(SampleConnectivity, DoesNotConnectTheSidesOfAThinPlate) {
 }
 
 TEST(SampleConnectivity, IgnoresPathsBeyondTheSearchRadius) {
-  // Beside a slit 3 wide, connected at its end.
+  // On both sides of a slit 3 wide, connected at its end.
   const DenseSamples right = grid_of({0, 0, 1}, [](double u, double v) { return Eigen::RowVector3d(12 + u, v, 0); });
   DenseSamples horseshoe = joined(floor_grid(), right);
   horseshoe.points.row(0) << 10, 0, 0;

@@ -132,7 +132,7 @@ TEST(SurfaceProxy, DoesNotConnectTheSidesOfAThinPlate) {
   }
 }
 
-TEST(SurfaceProxy, LinksSeparateSheetsByFiniteDistances) {
+TEST(SurfaceProxy, DistancesBetweenDisconnectedSheetsAreFinite) {
   Shape upper = test::rectangle(1, 1, 20, 20);
   upper.vertices.col(2).setConstant(0.05);
   const Shape sheets = test::joined({test::rectangle(1, 1, 20, 20), upper});
@@ -268,8 +268,8 @@ TEST(SurfaceProxy, RejectsShapesWithoutArea) {
   const Shape line{.vertices = (Points(3, 3) << 0, 0, 0, 1, 0, 0, 2, 0, 0).finished(),
                    .triangles = (Triangles(1, 3) << 0, 1, 2).finished()};
   EXPECT_THROW(surface_proxy(line), InputError);
-  const Shape place{.vertices = Points::Ones(5, 3), .triangles = {}};
-  EXPECT_THROW(surface_proxy(place), InputError);
+  const Shape coincident{.vertices = Points::Ones(5, 3), .triangles = {}};
+  EXPECT_THROW(surface_proxy(coincident), InputError);
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ TEST(Camera, FitsTheShapeIntoTheImageUpToTheMargin) {
   double top = left;
   double bottom = -left;
   for (const auto& vertex : box.vertices.rowwise()) {
-    const Eigen::Vector2d place = projected(camera, vertex.transpose());
-    left = std::min(left, place.x());
-    right = std::max(right, place.x());
-    top = std::min(top, place.y());
-    bottom = std::max(bottom, place.y());
+    const Eigen::Vector2d pixel = projected(camera, vertex.transpose());
+    left = std::min(left, pixel.x());
+    right = std::max(right, pixel.x());
+    top = std::min(top, pixel.y());
+    bottom = std::max(bottom, pixel.y());
     EXPECT_GT((vertex.transpose() - camera.top_left).dot(camera.forward), 0) << "in front of the camera";
   }
   EXPECT_NEAR(left, 20, 1e-9);

@@ -45,8 +45,8 @@ TEST(Splats, ScaleWithTheCloudAndHaveSizeZeroForCoincidentPoints) {
     cloud.vertices *= scale;
     EXPECT_NEAR(bounding_box_diagonal(splats(cloud)) / scale, bounding_box_diagonal(splats(sphere_cloud())), 1e-6);
   }
-  const Shape one_place{Points::Ones(3, 3), {}, {}};
-  EXPECT_EQ(bounding_box_diagonal(splats(one_place)), 0);
+  const Shape coincident{Points::Ones(3, 3), {}, {}};
+  EXPECT_EQ(bounding_box_diagonal(splats(coincident)), 0);
   const Shape line{(Points(3, 3) << 0, 0, 0, 1, 0, 0, 3, 0, 0).finished(), {}, {}};
   EXPECT_TRUE(splats(line).vertices.allFinite());
 }
@@ -82,8 +82,8 @@ TEST(Splats, CoverAPlaneOfRandomPoints) {
   const Points flat = (mesh.vertices.rowwise() - Eigen::RowVector3d(1, 2, 3)) * rotation;
   EXPECT_LT(flat.col(2).cwiseAbs().maxCoeff(), 1e-9);
   int uncovered = 0;
-  constexpr int places = 1000;
-  for (int place = 0; place < places; ++place) {
+  constexpr int trials = 1000;
+  for (int trial = 0; trial < trials; ++trial) {
     const Eigen::RowVector2d x{random.uniform(0.1, 0.9), random.uniform(0.1, 0.9)};
     bool is_covered = false;
     for (Eigen::Index i = 0; i < count && !is_covered; ++i) {
@@ -98,7 +98,7 @@ TEST(Splats, CoverAPlaneOfRandomPoints) {
     uncovered += is_covered ? 0 : 1;
   }
   // A hexagon has 0.83 of the area of its circle: exp(-0.83 * 2.25^2), or 1.5 %, if all hexagons were equal.
-  EXPECT_LT(uncovered, 0.03 * places);
+  EXPECT_LT(uncovered, 0.03 * trials);
 }
 
 TEST(Splats, RejectNonFinitePoints) {

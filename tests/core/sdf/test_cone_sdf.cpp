@@ -42,7 +42,7 @@ double sorted_median(std::vector<double> values) {
 
 struct Expected {
   double mean = 0;
-  double of_one_ray = 0;  ///< how far the mean moves when a ray at the limit is taken or left
+  double of_one_ray = 0;  ///< how far the mean moves if a ray at the limit is included or excluded
 };
 
 /// Mean of the distances that are within 1.5 median absolute deviations of the median.
@@ -205,7 +205,7 @@ TEST_P(ConeSdfAtEachSite, MeanChangesByLessThanOnePercentUnderRotation) {
   for (unsigned seed = 1; seed < 4; ++seed) {
     const Shape turned = test::transformed(torus, 1, test::rotation(seed), {1, 2, 3});
     const ConeSdfResult after = cone_sdf_at(turned, GetParam());
-    // The 25 rays are at other places of the same cone: single values move, their mean hardly.
+    // The 25 rays have other directions in the same cone: single values change, their mean hardly.
     EXPECT_NEAR(after.values.mean() / before.values.mean(), 1, 5e-3);
   }
   const Shape sphere = test::sphere(1, 4);

@@ -6,23 +6,23 @@
 #include "shapegauge/core/shape/shape.h"
 #include "tests/support/test_shapes.h"
 
-/// However the surface is given, as a mesh in order or a damaged one, the values are the same.
+/// Damaged meshes have the same values as intact ones.
 namespace shapegauge {
 namespace {
 
-/// The share of values that differ by more than a fraction of r.
-double share_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
+/// Fraction of values that differ by more than a fraction of r.
+double fraction_differing(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
   return static_cast<double>(((a - b).cwiseAbs().array() > tolerance).count()) / static_cast<double>(a.size());
 }
 
 /// A torus, whose samples are measured on it and on damaged versions of it.
 class OffsetSdfOfADamagedTorus : public testing::Test {
  protected:
-  /// That the SDF at the torus' faces stays where the surface is given by another shape.
+  /// Expects the same SDF at the torus' faces if `shape` replaces the surface.
   void expect_same_in(const Shape& shape) const {
     const OffsetSdfResult found = offset_sdf(shape, samples, {.offset = offset});
     const double r = offset * bounding_box_diagonal(torus);
-    EXPECT_LE(share_apart(clean, found.values, 1e-2 * r), 1e-3);
+    EXPECT_LE(fraction_differing(clean, found.values, 1e-2 * r), 1e-3);
     EXPECT_LE((clean - found.values).cwiseAbs().maxCoeff(), 0.1 * r);
   }
 
@@ -60,10 +60,11 @@ TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedByDebrisInside) {
   std::vector<Shape> parts = {torus};
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.5 * i;
-    const Eigen::Vector3d place(std::cos(angle), std::sin(angle), 0.1);
+    const Eigen::Vector3d position(std::cos(angle), std::sin(angle), 0.1);
     // Some are oriented the other way: what they enclose, then, is a void.
     const Shape part = test::sphere(0.02 + 0.01 * (i % 6), 1);
-    parts.push_back(test::transformed(i % 2 == 0 ? part : test::flipped(part), 1, Eigen::Matrix3d::Identity(), place));
+    parts.push_back(
+        test::transformed(i % 2 == 0 ? part : test::flipped(part), 1, Eigen::Matrix3d::Identity(), position));
   }
   expect_same_in(test::joined(parts));
 }

@@ -17,7 +17,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The rows of the shape given, by triangle or vertex of the doubled one.
+/// Original triangle or vertex of each triangle or vertex of the doubled shape.
 const std::vector<std::int32_t>& origins(const test::ShapeWithDuplicates& doubled, SampleSite site) {
   return site == SampleSite::faces ? doubled.triangles : doubled.vertices;
 }
@@ -44,7 +44,7 @@ TEST_P(DoubledTriangles, HaveTheSamplesOfTheFirstCopyWithWeightZero) {
       const Samples found = sample_shape(doubled.shape, site);
       EXPECT_TRUE(found.points == expected.points(origins(doubled, site), Eigen::all));
       EXPECT_TRUE(found.normals == expected.normals(origins(doubled, site), Eigen::all));
-      // Each weight is found once, at the first sample of its place; the others are 0.
+      // Each weight is found once, at the first sample of its position; the others are 0.
       std::vector<bool> seen(static_cast<std::size_t>(expected.weights.size()));
       for (Eigen::Index i = 0; i < found.weights.size(); ++i) {
         const auto origin = static_cast<std::size_t>(origins(doubled, site)[static_cast<std::size_t>(i)]);

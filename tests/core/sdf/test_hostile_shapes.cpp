@@ -24,13 +24,13 @@ using testing::ThrowsMessage;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Shape tetrahedron_at(const Eigen::RowVector3d& place, double size) {
+Shape tetrahedron_at(const Eigen::RowVector3d& position, double size) {
   const Points corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  return {.vertices = (size * corners).rowwise() + place,
+  return {.vertices = (size * corners).rowwise() + position,
           .triangles = Triangles{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-Eigen::RowVector3d random_place(RandomNumbers& random) {
+Eigen::RowVector3d random_position(RandomNumbers& random) {
   const double x = random.uniform(0, 1);
   const double y = random.uniform(0, 1);
   return {x, y, random.uniform(0, 1)};
@@ -40,7 +40,7 @@ Eigen::RowVector3d random_place(RandomNumbers& random) {
 Shape many_tetrahedra(int count, double size) {
   RandomNumbers random(1, 0);
   std::vector<Shape> parts;
-  for (int i = 0; i < count; ++i) parts.push_back(tetrahedron_at(random_place(random), size));
+  for (int i = 0; i < count; ++i) parts.push_back(tetrahedron_at(random_position(random), size));
   return test::joined(parts);
 }
 
@@ -64,7 +64,7 @@ Eigen::VectorXd values_of(const Shape& shape, double offset) {
 
 TEST(ExtremeShapes, SheetHasThicknessZero) {
   const Shape triangle = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const Shape plane = test::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
+  const Shape plane = test::box({1, 1, 0}, 3);  // top and bottom coincide, sides have no area
   for (const double offset : {0.01, 0.1, 1.0}) {
     const double r = offset * std::sqrt(2.0);
     EXPECT_LE(values_of(triangle, offset).maxCoeff(), 2e-3 * r) << offset;
@@ -165,8 +165,8 @@ TEST(ExtremeShapes, OfManyOverlappingPartsHaveAnOffsetSdf) {
   RandomNumbers random(2, 0);
   std::vector<Shape> parts;
   for (int i = 0; i < 26; ++i) {
-    const Eigen::Vector3d place = 0.3 * random_place(random).transpose();
-    parts.push_back(test::transformed(test::sphere(0.3, 2), 1, test::rotation(static_cast<unsigned>(i)), place));
+    const Eigen::Vector3d position = 0.3 * random_position(random).transpose();
+    parts.push_back(test::transformed(test::sphere(0.3, 2), 1, test::rotation(static_cast<unsigned>(i)), position));
   }
   const Shape joined = test::joined(parts);
   const Samples samples = sample_shape(joined, SampleSite::faces);
@@ -216,7 +216,7 @@ TEST(ExtremeShapes, HaveAnOffsetSdfForAnOffsetAsLargeAsTheShape) {
   EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r);
 }
 
-/// A ball and triangles of 0.9 by ever less beside it, in all directions.
+/// A ball, and next to it triangles of length 0.9 and decreasing width, in all directions.
 Shape ball_with_slivers(int count) {
   std::vector<Shape> parts{test::sphere(0.3, 2)};
   for (int i = 0; i < count; ++i) {

@@ -18,7 +18,7 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
   std::vector<std::pair<int, std::size_t>> values;
   for (std::size_t i = 0; i < drawn.size(); ++i) values.emplace_back(drawn[i], i);
   const auto counted = bucket_sort(values, keys, [](const auto& value) { return value.first; });
-  std::ranges::sort(values);  // by key, then by place
+  std::ranges::sort(values);  // by key, then by index
   RC_ASSERT(counted.values == values);
   RC_ASSERT(counted.first.size() == keys + 1U);
   RC_ASSERT(counted.first.back() == values.size());
@@ -64,7 +64,7 @@ TEST(HalfEdges, OfTwoAdjacentTrianglesShareTheCommonEdge) {
   const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
   const std::vector<std::int32_t> merged{0, 1, 2, 3};
   const std::vector<HalfEdge> uses = half_edges(triangles, merged);
-  ASSERT_EQ(uses.size(), 6U) << "the last triangle has corners at two places";
+  ASSERT_EQ(uses.size(), 6U) << "the last triangle has corners at two positions";
   std::vector<std::size_t> sizes;
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     sizes.push_back(edge.size());

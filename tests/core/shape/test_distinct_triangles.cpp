@@ -14,10 +14,12 @@ namespace {
 using Indices = std::vector<std::int32_t>;
 
 /// Vertices 4 and 5 coincide with 0 and 1.
-Points places() { return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}}; }
+Points seven_vertices() {
+  return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}};
+}
 
 TEST(DistinctTriangles, AreTheFirstOfTrianglesWithTheSameCorners) {
-  const Shape shape{places(), Triangles{{0, 1, 2}, {0, 1, 3}, {2, 1, 0}, {2, 4, 5}, {1, 3, 0}, {1, 2, 3}}};
+  const Shape shape{seven_vertices(), Triangles{{0, 1, 2}, {0, 1, 3}, {2, 1, 0}, {2, 4, 5}, {1, 3, 0}, {1, 2, 3}}};
   EXPECT_EQ(first_duplicates(shape.triangles, welded_vertices(shape.vertices)), (Indices{0, 1, 0, 0, 1, 5}));
   const DistinctTriangles found = distinct_triangles(shape);
   EXPECT_TRUE(found.has_duplicates());
@@ -27,13 +29,13 @@ TEST(DistinctTriangles, AreTheFirstOfTrianglesWithTheSameCorners) {
   EXPECT_EQ(found.vertex_of, (Indices{0, 1, 2, 3, 0, 1, 6})) << "vertex 6 no triangle uses";
 }
 
-TEST(DistinctTriangles, KeepVerticesUsedByOtherTriangles) {
-  const Shape shape{places(), Triangles{{0, 1, 2}, {4, 5, 2}, {4, 3, 2}}};
+TEST(DistinctTriangles, RemovingDuplicatesKeepsVerticesOfOtherTriangles) {
+  const Shape shape{seven_vertices(), Triangles{{0, 1, 2}, {4, 5, 2}, {4, 3, 2}}};
   EXPECT_EQ(distinct_triangles(shape).vertex_of, (Indices{0, 1, 2, 3, 4, 1, 6}));
 }
 
 TEST(DistinctTriangles, DistinguishDegenerateTrianglesByTheirRepeatedCorner) {
-  const Shape shape{places(), Triangles{{0, 0, 1}, {0, 1, 1}, {1, 0, 4}}};
+  const Shape shape{seven_vertices(), Triangles{{0, 0, 1}, {0, 1, 1}, {1, 0, 4}}};
   EXPECT_EQ(distinct_triangles(shape).triangle_of, (Indices{0, 1, 0}));
 }
 
@@ -50,7 +52,7 @@ TEST(DistinctTriangles, AreAllTrianglesOfAMeshWithoutDuplicates) {
 }
 
 TEST(DistinctTriangles, DropPolygonsOnlyIfDuplicatesAreRemoved) {
-  Shape shape{places(), Triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
+  Shape shape{seven_vertices(), Triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
   shape.polygons = {.of_triangle = {0, 0, 1}, .count = 2};
   EXPECT_TRUE(without_duplicates(shape).polygons.of_triangle.empty()) << "they are those of a list of other triangles";
   shape.triangles.row(2) << 1, 2, 3;
@@ -58,7 +60,7 @@ TEST(DistinctTriangles, DropPolygonsOnlyIfDuplicatesAreRemoved) {
 }
 
 TEST(DistinctTriangles, OfACloudAreEmpty) {
-  const DistinctTriangles found = distinct_triangles({places(), {}});
+  const DistinctTriangles found = distinct_triangles({seven_vertices(), {}});
   EXPECT_FALSE(found.has_duplicates());
   EXPECT_TRUE(is_cloud(found.shape));
   EXPECT_EQ(found.vertex_of.size(), 7U);

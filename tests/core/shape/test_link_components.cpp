@@ -9,9 +9,9 @@
 namespace shapegauge {
 namespace {
 
-Points on_a_line(const std::vector<double>& places) {
-  Points points = Points::Zero(static_cast<Eigen::Index>(places.size()), 3);
-  for (std::size_t i = 0; i < places.size(); ++i) points(static_cast<Eigen::Index>(i), 0) = places[i];
+Points on_a_line(const std::vector<double>& coordinates) {
+  Points points = Points::Zero(static_cast<Eigen::Index>(coordinates.size()), 3);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) points(static_cast<Eigen::Index>(i), 0) = coordinates[i];
   return points;
 }
 

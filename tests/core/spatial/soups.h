@@ -23,7 +23,7 @@ inline Shape soup_of(const std::vector<Triangle>& triangles) {
 }
 
 enum class Soup {
-  scattered,   ///< at random places, of sizes over several orders of magnitude, every tenth degenerate
+  scattered,   ///< at random positions, of sizes over several orders of magnitude, every tenth degenerate
   coplanar,    ///< in one plane that no axis is normal to
   lattice,     ///< corners on a coarse grid: coplanar, touching, degenerate and duplicate triangles abound
   needles,     ///< long, and of hardly any area

@@ -9,18 +9,18 @@
 namespace shapegauge {
 namespace {
 
-std::vector<Eigen::Index> seeds_among(const Eigen::VectorXd& places, Eigen::Index count, std::uint64_t seed) {
+std::vector<Eigen::Index> seeds_among(const Eigen::VectorXd& coordinates, Eigen::Index count, std::uint64_t seed) {
   RandomNumbers random(seed);
-  return k_means_seeds(places.size(), count, random, [&](Eigen::Index from) -> Eigen::VectorXd {
-    return (places.array() - places[from]).square().matrix();
+  return k_means_seeds(coordinates.size(), count, random, [&](Eigen::Index from) -> Eigen::VectorXd {
+    return (coordinates.array() - coordinates[from]).square().matrix();
   });
 }
 
 TEST(KMeansSeeds, AreDistinctPositions) {
-  const Eigen::VectorXd places{{0, 0, 0, 5, 5, 9}};
+  const Eigen::VectorXd coordinates{{0, 0, 0, 5, 5, 9}};
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     std::vector<double> chosen;
-    for (const Eigen::Index i : seeds_among(places, 3, seed)) chosen.push_back(places[i]);
+    for (const Eigen::Index i : seeds_among(coordinates, 3, seed)) chosen.push_back(coordinates[i]);
     std::ranges::sort(chosen);
     EXPECT_EQ(chosen, (std::vector<double>{0, 5, 9})) << seed;
   }
@@ -33,11 +33,11 @@ TEST(KMeansSeeds, AreFewerIfThereAreFewerDistinctPoints) {
 
 TEST(KMeansSeeds, AreDrawnInProportionToSquaredDistances) {
   // The first is 0 in a third of the cases. Then the second is at 1 with 1 / 10, and at 3 with 9 / 10.
-  const Eigen::VectorXd places{{0, 1, 3}};
+  const Eigen::VectorXd coordinates{{0, 1, 3}};
   int first = 0;
   int far = 0;
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
-    const std::vector<Eigen::Index> chosen = seeds_among(places, 2, seed);
+    const std::vector<Eigen::Index> chosen = seeds_among(coordinates, 2, seed);
     if (chosen[0] != 0) continue;
     ++first;
     far += chosen[1] == 2 ? 1 : 0;

@@ -18,11 +18,11 @@ double length_of_way(const Points& points, const std::vector<std::int32_t>& orde
 TEST(MortonOrder, VisitsEachPointOnceOnAShortPath) {
   const Points points = Points::Random(4000, 3);
   std::vector<std::int32_t> order = morton_order(points);
-  std::vector<std::int32_t> given(order.size());
-  std::iota(given.begin(), given.end(), 0);
-  EXPECT_LT(length_of_way(points, order), 0.2 * length_of_way(points, given));
+  std::vector<std::int32_t> input_order(order.size());
+  std::iota(input_order.begin(), input_order.end(), 0);
+  EXPECT_LT(length_of_way(points, order), 0.2 * length_of_way(points, input_order));
   std::sort(order.begin(), order.end());
-  EXPECT_EQ(order, given);
+  EXPECT_EQ(order, input_order);
 }
 
 TEST(MortonOrder, KeepsTheOrderOfCoincidentPoints) {

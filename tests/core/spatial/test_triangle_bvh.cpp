@@ -71,11 +71,11 @@ RC_GTEST_PROP(TriangleBVH, ContainsTheTrianglesWithTheirIndices, ()) {
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    const Triangle& kept = tree.triangle(static_cast<std::int32_t>(f));
-    const Triangle given = triangle_of(shape, f);
-    RC_ASSERT(kept.a == given.a);
-    RC_ASSERT(kept.b == given.b);
-    RC_ASSERT(kept.c == given.c);
+    const Triangle& stored = tree.triangle(static_cast<std::int32_t>(f));
+    const Triangle expected = triangle_of(shape, f);
+    RC_ASSERT(stored.a == expected.a);
+    RC_ASSERT(stored.b == expected.b);
+    RC_ASSERT(stored.c == expected.c);
   }
 }
 
@@ -85,7 +85,7 @@ bool is_within(const Ball& ball, const Cone& cone, const Eigen::Vector3d& point)
   return (point - ball.centre).norm() <= ball.radius && from_apex.dot(cone.axis) >= cone.cosine * from_apex.norm();
 }
 
-RC_GTEST_PROP(TriangleBVH, VisitsAllTrianglesInABallAndConeThatFaceTheAxis, ()) {
+RC_GTEST_PROP(TriangleBVH, VisitsFacingTrianglesInTheIntersectionOfABallAndACone, ()) {
   const auto fraction = [] { return *rc::gen::inRange(0, 100) / 100.0; };
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
@@ -139,18 +139,18 @@ RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
 /// Few and large triangles in one leaf; the nearest is seldom that with the nearest plane or corner.
 TEST(TriangleBVH, FindsTheClosestOfAFewLargeTriangles) {
   RandomNumbers random(1);
-  const auto place = [&] {
+  const auto random_row = [&] {
     return Eigen::RowVector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   };
   for (int soup = 0; soup < 20; ++soup) {
     Shape shape;
     shape.vertices.resize(15, 3);
-    for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) shape.vertices.row(v) = place();
+    for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) shape.vertices.row(v) = random_row();
     shape.triangles.resize(5, 3);
     for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) shape.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
     const TriangleBVH tree(shape);
     for (int query = 0; query < 50; ++query) {
-      const Eigen::Vector3d x = place().transpose();
+      const Eigen::Vector3d x = random_row().transpose();
       const double expected = distance_to_all(shape, x);
       EXPECT_NEAR(tree.closest(x)->distance, expected, tolerance_at(expected));
     }

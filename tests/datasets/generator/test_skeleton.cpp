@@ -73,7 +73,7 @@ TEST(SkeletonBones, AreSplitAtJointsAndAttachedToTheClosestBone) {
   EXPECT_EQ(tree.bones[1].parent, 0);
   EXPECT_EQ(tree.bones[2].parent, 1);
   EXPECT_EQ(tree.bones[3].parent, 0);
-  EXPECT_EQ(tree.bones[1].place, 1);
+  EXPECT_EQ(tree.bones[1].index_in_limb, 1);
   EXPECT_EQ(tree.bones[1].joint, Eigen::Vector3d(2, 0, 0));
   EXPECT_EQ(tree.bones[1].hinges.size(), 1U);
   EXPECT_TRUE(tree.bones[3].hinges.empty());

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d random_place(RandomNumbers& random, double extent) {
+Vector3d random_position(RandomNumbers& random, double extent) {
   const double x = random.uniform(-extent, extent);
   const double y = random.uniform(-extent, extent);
   return {x, y, random.uniform(-extent, extent)};
@@ -22,7 +22,7 @@ template <typename Distance>
 void expect_distance(const Solid& solid, Distance distance) {
   RandomNumbers random(1);
   for (int i = 0; i < 500; ++i) {
-    const Vector3d point = random_place(random, 2);
+    const Vector3d point = random_position(random, 2);
     EXPECT_NEAR(solid.distance(point), distance(point), 1e-12) << point.transpose();
     if (solid.distance(point) < 0) {
       EXPECT_TRUE(solid.box.contains(point)) << point.transpose();
@@ -53,7 +53,7 @@ TEST(Solid, RevolvedHalfCircleHasTheDistancesOfABall) {
   // Chords leave the circle by less than the square of their half length, over twice the radius.
   constexpr double tolerance = 1e-6;
   for (int i = 0; i < 100; ++i) {
-    const Vector3d point = random_place(random, 1.2);
+    const Vector3d point = random_position(random, 1.2);
     EXPECT_NEAR(ball.distance(point), point.norm() - 1, tolerance);
     EXPECT_NEAR(shell.distance(point), std::abs(point.norm() - 1) - 0.1, tolerance);
   }
@@ -76,7 +76,7 @@ TEST(Solid, IntersectionHasThePointsOfBothAndDifferenceThoseOfTheFirstAlone) {
   const Solid other = rounded_box({0.5, 0, 0}, {0.6, 0.3, 1}, 0.1);
   RandomNumbers random(3);
   for (int i = 0; i < 500; ++i) {
-    const Vector3d point = random_place(random, 1.2);
+    const Vector3d point = random_position(random, 1.2);
     const bool in_one = one.distance(point) < 0;
     const bool in_other = other.distance(point) < 0;
     EXPECT_EQ(intersection(one, other).distance(point) < 0, in_one && in_other);
@@ -90,7 +90,7 @@ TEST(Solid, MovedSolidHasTheMovedDistances) {
   const Solid turned = rotated_about_z(box, 90);
   RandomNumbers random(4);
   for (int i = 0; i < 200; ++i) {
-    const Vector3d point = random_place(random, 1.5);
+    const Vector3d point = random_position(random, 1.5);
     EXPECT_NEAR(turned.distance({-point.y(), point.x(), point.z()}), box.distance(point), 1e-12);
   }
   EXPECT_NEAR(turned.box.max().y(), 1, 1e-12);

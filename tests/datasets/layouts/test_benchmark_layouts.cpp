@@ -91,7 +91,7 @@ TEST_F(BenchmarkLayouts, FolderTreeHasAClassForEachFolderWithModels) {
                                         "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
 }
 
-TEST_F(BenchmarkLayouts, FolderTreeWithLinksIsVisitedOnce) {
+TEST_F(BenchmarkLayouts, EachFolderOfATreeIsListedOnceDespiteSymbolicLinks) {
   for (const char* name : {"Flat/Clips/a.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
   const std::vector<std::string> models = recognised();
   const fs::path outside = at("outside");

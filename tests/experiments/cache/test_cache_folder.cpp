@@ -49,7 +49,7 @@ TEST(CacheFolder, FollowsTheEnvironmentAndTheXdgSpecification) {
   {
     const Variable elsewhere("XDG_CACHE_HOME", "/var/caches");
     EXPECT_EQ(default_cache_folder(), "/var/caches/shapegauge");
-    const Variable own("SHAPEGAUGE_CACHE", "here");
+    const Variable here("SHAPEGAUGE_CACHE", "here");
     EXPECT_EQ(default_cache_folder(), "here");
     const Variable none("SHAPEGAUGE_CACHE", "");
     EXPECT_EQ(default_cache_folder(), "");

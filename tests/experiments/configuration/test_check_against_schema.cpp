@@ -78,7 +78,7 @@ TEST(SchemaCheck, ReportsUnknownKeysBeforeTheDeepestError) {
 
 TEST(SchemaCheck, ErrorsNameLocationAndProblem) {
   struct Refusal {
-    const char* place;
+    const char* pointer;
     Json value;
     const char* message;
   };
@@ -111,8 +111,8 @@ TEST(SchemaCheck, ErrorsNameLocationAndProblem) {
       {"/signatures/0/histogram/range", {{"fixed", {0}}}, "signatures.0.histogram.range.fixed: "},
       {"/signatures/0/name", "a\nb", "signatures.0.name: "},
       {"/signatures/0/name", "", "signatures.0.name: must not be empty"}};
-  for (const auto& [place, value, message] : refusals) {
-    EXPECT_THAT(schema_error_with(place, value), HasSubstr(message)) << place << " = " << value;
+  for (const auto& [pointer, value, message] : refusals) {
+    EXPECT_THAT(schema_error_with(pointer, value), HasSubstr(message)) << pointer << " = " << value;
   }
   EXPECT_EQ(schema_error_with("/seed", 9007199254740991), "no error");
   EXPECT_THAT(test::input_error_of([] { check(Json::array()); }), HasSubstr("must be of type object, not array"));
@@ -124,18 +124,18 @@ TEST(SchemaCheck, NamesMissingKeys) {
   EXPECT_THAT(message_without("/signatures/0", "histogram"), HasSubstr("signatures.0: the key \"histogram\""));
 }
 
-/// Values of a document by JSON pointer.
-std::vector<std::string> places_in(const Json& document) {
-  std::vector<std::string> places;
+/// JSON pointers of all values of a document.
+std::vector<std::string> pointers_in(const Json& document) {
+  std::vector<std::string> pointers;
   const Json flat = document.flatten();
   for (const auto& item : flat.items()) {
     for (std::size_t end = item.key().size(); end != std::string::npos && end > 0;
          end = item.key().rfind('/', end - 1)) {
-      const std::string place = item.key().substr(0, end);
-      if (std::ranges::find(places, place) == places.end()) places.push_back(place);
+      const std::string pointer = item.key().substr(0, end);
+      if (std::ranges::find(pointers, pointer) == pointers.end()) pointers.push_back(pointer);
     }
   }
-  return places;
+  return pointers;
 }
 
 TEST(SchemaCheck, NamesLocationAndProblemForEveryConstraint) {
@@ -146,16 +146,16 @@ TEST(SchemaCheck, NamesLocationAndProblemForEveryConstraint) {
   document["report"]["pictures"]["range"] = {0, 1};
   const std::vector<Json> others{nullptr, true,           -1,        0.5, 1e300, "", "x\ny", Json::array(),
                                  {1, 2},  Json::object(), {{"x", 1}}};
-  for (const std::string& place : places_in(document)) {
+  for (const std::string& pointer : pointers_in(document)) {
     int refused = 0;
     for (const Json& other : others) {
       Json changed = document;
-      changed[Json::json_pointer(place)] = other;
+      changed[Json::json_pointer(pointer)] = other;
       const std::string message = test::input_error_of([&] { check(changed); });
       refused += message == "no error" ? 0 : 1;
-      EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << place << " = " << other;
+      EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << pointer << " = " << other;
     }
-    EXPECT_GE(refused, 7) << place;
+    EXPECT_GE(refused, 7) << pointer;
   }
 }
 
@@ -181,7 +181,7 @@ TEST(SchemaCheck, ChecksAFragmentAgainstADefinition) {
   EXPECT_THAT(part_error({{"bins", 0}, {"range", "per-shape"}}, "histogram"), StartsWith("part: bins: must be from 1"));
   EXPECT_THAT(part_error({{"type", "cone_sdf"}}, "histogram"), StartsWith("part: "));
   EXPECT_THAT(part_error(valid(), "field"), StartsWith("part: ")) << "a whole configuration is no field";
-  // The same fault has the same message in a part as in the whole, but for its place.
+  // The same fault has the same message in a part as in the whole, except for its path.
   const Json wrong{{"type", "offset_sdf"}, {"offset", -3}};
   EXPECT_EQ(schema_error_with("/signatures/0/field", wrong),
             "x.json: signatures.0.field." + part_error(wrong, "field").substr(std::string("part: ").size()));

@@ -13,7 +13,7 @@ namespace {
 /// A box of 4 x 4 x 2 with a square hole of 1 in its top.
 Shape box_with_hole() {
   Shape box = test::box({4, 4, 2}, 8);
-  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> remaining;
   for (Eigen::Index f = 0; f < box.triangles.rows(); ++f) {
     double width = 0;
     double lowest = 1;
@@ -21,9 +21,9 @@ Shape box_with_hole() {
       width = std::max(width, box.vertices.row(corner).head<2>().cwiseAbs().maxCoeff());
       lowest = std::min(lowest, box.vertices(corner, 2));
     }
-    if (lowest < 0.9 || width > 0.6) kept.push_back(f);
+    if (lowest < 0.9 || width > 0.6) remaining.push_back(f);
   }
-  box.triangles = box.triangles(kept, Eigen::all).eval();
+  box.triangles = box.triangles(remaining, Eigen::all).eval();
   return box;
 }
 
@@ -62,7 +62,7 @@ TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
   EXPECT_THROW(choose_offset({}, Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}), InputError);
 }
 
-TEST(LeakWarning, IsGivenIfTheOffsetDoesNotCloseTheGap) {
+TEST(LeakWarning, AppearsOnlyIfTheOffsetDoesNotCloseTheGap) {
   EXPECT_TRUE(leak_warning(choose_offset(0.8 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(1.2 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1))));

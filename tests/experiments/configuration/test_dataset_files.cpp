@@ -30,11 +30,11 @@ class DatasetFiles : public test::FolderTest {
     test::write_text(at("sets/named.json"), R"({"name": "The named", "layout": "shrec11", "root": "${NAMED_ROOT}"})");
   }
   Json read(Json document) const {
-    read_dataset_files(document, "x.json", folder_.path(), places_);
+    read_dataset_files(document, "x.json", folder_.path(), pointers_);
     return document;
   }
 
-  std::vector<std::string> places_{"/dataset", "/datasets/*"};
+  std::vector<std::string> pointers_{"/dataset", "/datasets/*"};
 };
 
 TEST_F(DatasetFiles, InConfigurationsAreReplacedByTheirContents) {
@@ -54,7 +54,7 @@ TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFileName) {
 TEST_F(DatasetFiles, CanBeChangedByOverrides) {
   test::write_text(at("run.json"), R"({"name": "x", "datasets": ["sets/animals.json"]})");
   const std::vector<std::string> overrides{"datasets.0.root=/elsewhere"};
-  const auto paths = [&](const Json&) { return DocumentPaths{.datasets = places_}; };
+  const auto paths = [&](const Json&) { return DocumentPaths{.datasets = pointers_}; };
   Json document = read_json(at("run.json"));
   const auto files = apply_overrides(document, "x.json", at(""), overrides, paths);
   EXPECT_EQ(document["datasets"][0]["root"], "/elsewhere");

@@ -55,13 +55,13 @@ TEST(DerivedDistances, OfASumAreScaledAndWeighted) {
 }
 
 TEST(DerivedDistances, OfASumMatchTheLibraryFunctions) {
-  const std::vector<double> given{1, 0.5};
+  const std::vector<double> weights{1, 0.5};
   for (const auto& [word, kind] :
        {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
     const auto sum = derived_signature(
         {{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", "local"}, {"weights", word}});
     EXPECT_EQ(derive(*sum.derived, two_matrices),
-              sum_of_distances(two_matrices, sum_weights(two_matrices, given, kind), DistanceScale::local));
+              sum_of_distances(two_matrices, sum_weights(two_matrices, weights, kind), DistanceScale::local));
   }
   for (const auto& [word, scale] : {std::pair("none", DistanceScale::none),
                                     {"median", DistanceScale::median},
@@ -70,7 +70,7 @@ TEST(DerivedDistances, OfASumMatchTheLibraryFunctions) {
                                     {"ranks", DistanceScale::ranks},
                                     {"local_spread", DistanceScale::local_spread}}) {
     const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", word}});
-    EXPECT_EQ(derive(*sum.derived, two_matrices), sum_of_distances(two_matrices, given, scale)) << word;
+    EXPECT_EQ(derive(*sum.derived, two_matrices), sum_of_distances(two_matrices, weights, scale)) << word;
   }
 }
 

@@ -86,7 +86,7 @@ TEST(ExperimentConfiguration, AcceptsShortFormsOfSettings) {
                                                            {"/defaults", Json{{"at", "edges"}}},
                                                            {"/defaults", Json{{"bins", 3}}},
                                                            {"/defaults", 3}};
-  for (const auto& [place, value] : mistakes) EXPECT_NE(experiment_error_with(place, value), "no error") << place;
+  for (const auto& [pointer, value] : mistakes) EXPECT_NE(experiment_error_with(pointer, value), "no error") << pointer;
 }
 
 TEST(ExperimentConfiguration, AcceptsSmoothingAsWideAsTheHistogram) {
@@ -190,21 +190,21 @@ TEST(ExperimentConfiguration, ErrorsNameTheLocation) {
       {"/report/pictures/range", {0.2, 0.2}, "report.pictures.range: the first value"},
       {"/report/picture", true, "pictures"},
       {"/report", "yes", "report: "}};
-  for (const auto& [place, value, word] : mistakes) {
-    EXPECT_THAT(experiment_error_with(place, value), HasSubstr(word)) << place << " = " << value;
+  for (const auto& [pointer, value, word] : mistakes) {
+    EXPECT_THAT(experiment_error_with(pointer, value), HasSubstr(word)) << pointer << " = " << value;
   }
 }
 
 TEST(ExperimentConfiguration, ShowsTheFirstFieldInReportsByDefault) {
   const ReportConfiguration usual = configuration_from_json(experiment_document(), "x.json", "/configs").report;
-  EXPECT_TRUE(usual.wanted && usual.pictures);
+  EXPECT_TRUE(usual.enabled && usual.pictures);
   EXPECT_EQ(usual.pictured_signature, 0U);
   EXPECT_EQ(usual.picture_options.range.low, 0);
   EXPECT_NEAR(usual.picture_options.range.high, 0.5641896, 1e-7) << "the diameter of a sphere of unit area";
-  EXPECT_FALSE(configuration_with("/report", false).report.wanted);
+  EXPECT_FALSE(configuration_with("/report", false).report.enabled);
   EXPECT_FALSE(configuration_with("/report", false).report.pictures);
   const ReportConfiguration plain = configuration_with("/report/pictures", false).report;
-  EXPECT_TRUE(plain.wanted && !plain.pictures);
+  EXPECT_TRUE(plain.enabled && !plain.pictures);
   const Json chosen = {{"of", "b"}, {"range", {0.1, 0.2}}};
   const ReportConfiguration other = configuration_with("/report/pictures", chosen).report;
   EXPECT_EQ(other.pictured_signature, 1U);

@@ -107,17 +107,17 @@ TEST(ExtendingGuide, NamesTheFilesOfEachExtensionKind) {
   for (const std::vector<std::string>& row :
        first_table(read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/developer/extending.md"))) {
     ASSERT_EQ(row.size(), 6U);
-    for (const std::string& place : code_words(row[3] + row[4])) {
-      EXPECT_TRUE(std::filesystem::exists(repository / place)) << place;
+    for (const std::string& path : code_words(row[3] + row[4])) {
+      EXPECT_TRUE(std::filesystem::exists(repository / path)) << path;
     }
     for (const std::string& folder : code_words(row[5])) {
       EXPECT_TRUE(std::filesystem::exists(repository / folder / "CMakeLists.txt")) << folder;
     }
     if (row[2] == "no") continue;
     ++from_outside;
-    const std::string place = "shapegauge::" + code_words(row[1]).at(0) + ".add(";
-    EXPECT_NE(program.find(place), std::string::npos) << place;
-    EXPECT_EQ(program.find(place), program.rfind(place)) << place << " more than once";
+    const std::string registration = "shapegauge::" + code_words(row[1]).at(0) + ".add(";
+    EXPECT_NE(program.find(registration), std::string::npos) << registration;
+    EXPECT_EQ(program.find(registration), program.rfind(registration)) << registration << " more than once";
   }
   EXPECT_EQ(from_outside, 9);
 }

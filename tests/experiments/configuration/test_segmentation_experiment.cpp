@@ -32,10 +32,10 @@ TEST(SegmentationExperiment, IsReadBackAsWritten) {
   for (const auto& [dataset, method] : cases) {
     const Json written = to_json(read(dataset, method));
     EXPECT_EQ(to_json(segmentation_from_json(written, "x.json", "/elsewhere")), written) << written.dump(2);
-    const Json& kept = written.at("segmentation").at(0);
+    const Json& entry = written.at("segmentation").at(0);
     for (const auto& [key, value] : method.items()) {
       if (key == "perturbations") continue;
-      EXPECT_EQ(kept.at(key), value) << key;
+      EXPECT_EQ(entry.at(key), value) << key;
     }
   }
 }

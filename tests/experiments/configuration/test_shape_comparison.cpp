@@ -56,7 +56,7 @@ TEST(ReadComparison, IsReadBackFromJsonAsWritten) {
   EXPECT_EQ(filled["registered"], false);
 }
 
-TEST(ReadComparison, ErrorsNameTheLocationAndTheNearestWord) {
+TEST(ReadComparison, ErrorsNameTheKeyAndSuggestTheClosestWord) {
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
       {"/reference", "claen", "reference: there is no shape \"claen\"; did you mean \"clean\"?"},
       {"/shapes/1/name", "clean", "shapes.1.name: the name \"clean\""},
@@ -67,8 +67,8 @@ TEST(ReadComparison, ErrorsNameTheLocationAndTheNearestWord) {
       {"/regstered", true, "unknown key \"regstered\""},
       {"/signatures/0/concatenate", {"s"}, "signatures.0: unknown key \"concatenate\""},
       {"/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off", "shapes.0.file: the environment variable SHAPEGAUGE_NOT_SET"}};
-  for (const auto& [place, value, word] : mistakes) {
-    EXPECT_THAT(comparison_error_with(place, value), HasSubstr(word)) << place;
+  for (const auto& [pointer, value, word] : mistakes) {
+    EXPECT_THAT(comparison_error_with(pointer, value), HasSubstr(word)) << pointer;
   }
   Json without = comparison_document();
   without.erase("reference");

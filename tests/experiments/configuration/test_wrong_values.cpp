@@ -68,35 +68,35 @@ std::string error_of(const Json& document) {
 }
 
 /// JSON pointers of all values of a document.
-void add_places(const Json& value, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
-  if (!place.empty()) places.push_back(place);
+void add_pointers(const Json& value, const Json::json_pointer& pointer, std::vector<Json::json_pointer>& pointers) {
+  if (!pointer.empty()) pointers.push_back(pointer);
   if (value.is_object()) {
-    for (const auto& [key, child] : value.items()) add_places(child, place / key, places);
+    for (const auto& [key, child] : value.items()) add_pointers(child, pointer / key, pointers);
   }
-  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) add_places(value[i], place / i, places);
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) add_pointers(value[i], pointer / i, pointers);
 }
 
 /// Path as in messages, such as "signatures.0.field".
-std::string dotted(const Json::json_pointer& place) {
-  std::string text = place.to_string().substr(1);
+std::string dotted(const Json::json_pointer& pointer) {
+  std::string text = pointer.to_string().substr(1);
   std::ranges::replace(text, '/', '.');
   return text;
 }
 
 /// First occurrence of each path (without indices) and value type in all experiments.
-std::vector<std::pair<Json, Json::json_pointer>> places_of_every_kind() {
+std::vector<std::pair<Json, Json::json_pointer>> pointers_of_every_kind() {
   std::vector<std::pair<Json, Json::json_pointer>> result;
   std::set<std::string> seen;
   for (const Json& experiment : all_experiments()) {
     const std::string kind = is_comparison(experiment) ? "shapes" : is_segmentation(experiment) ? "parts" : "retrieval";
-    std::vector<Json::json_pointer> places;
-    add_places(experiment, Json::json_pointer(), places);
-    for (const Json::json_pointer& place : places) {
-      const std::string name = std::regex_replace(place.to_string(), std::regex("/[0-9]+"), "/N");
-      const Json& parent = experiment[place.parent_pointer()];
+    std::vector<Json::json_pointer> pointers;
+    add_pointers(experiment, Json::json_pointer(), pointers);
+    for (const Json::json_pointer& pointer : pointers) {
+      const std::string name = std::regex_replace(pointer.to_string(), std::regex("/[0-9]+"), "/N");
+      const Json& parent = experiment[pointer.parent_pointer()];
       const std::string type = parent.is_object() ? parent.value("type", "") : "";
-      if (seen.insert(kind + name + experiment[place].type_name() + type).second)
-        result.emplace_back(experiment, place);
+      if (seen.insert(kind + name + experiment[pointer].type_name() + type).second)
+        result.emplace_back(experiment, pointer);
     }
   }
   return result;
@@ -118,18 +118,18 @@ TEST_F(ConfigurationCheck, RejectsInvalidValuesWithTheirLocation) {
       nullptr,   true, -1.5, 1e300, std::numeric_limits<std::uint64_t>::max(), "x", Json::array({1, "x", nullptr}),
       {{"x", 1}}};
   std::size_t errors = 0;
-  for (const auto& [experiment, place] : places_of_every_kind()) {
+  for (const auto& [experiment, pointer] : pointers_of_every_kind()) {
     for (const Json& value : values) {
       Json changed = experiment;
-      changed[place] = value;
+      changed[pointer] = value;
       const std::string error = error_of(changed);
       if (error.empty()) continue;
       ++errors;
-      EXPECT_THAT(error, Not(HasSubstr("json.exception"))) << place << " " << value;
-      EXPECT_THAT(error, HasSubstr("x.json: ")) << place << " " << value;
+      EXPECT_THAT(error, Not(HasSubstr("json.exception"))) << pointer << " " << value;
+      EXPECT_THAT(error, HasSubstr("x.json: ")) << pointer << " " << value;
       const bool is_of_no_type = value.is_null() || value.is_array() || value.is_object();
-      if (is_of_no_type && !experiment[place].is_structured()) {
-        EXPECT_THAT(error, HasSubstr(dotted(place))) << place << " " << value;
+      if (is_of_no_type && !experiment[pointer].is_structured()) {
+        EXPECT_THAT(error, HasSubstr(dotted(pointer))) << pointer << " " << value;
       }
     }
   }
@@ -137,15 +137,15 @@ TEST_F(ConfigurationCheck, RejectsInvalidValuesWithTheirLocation) {
 }
 
 TEST_F(ConfigurationCheck, ReportsMissingKeysAsInputErrors) {
-  for (const auto& [experiment, place] : places_of_every_kind()) {
+  for (const auto& [experiment, pointer] : pointers_of_every_kind()) {
     Json changed = experiment;
-    Json& parent = changed[place.parent_pointer()];
+    Json& parent = changed[pointer.parent_pointer()];
     if (parent.is_object()) {
-      parent.erase(place.back());
+      parent.erase(pointer.back());
     } else {
-      parent.erase(std::stoul(place.back()));
+      parent.erase(std::stoul(pointer.back()));
     }
-    EXPECT_THAT(error_of(changed), Not(HasSubstr("json.exception"))) << place;
+    EXPECT_THAT(error_of(changed), Not(HasSubstr("json.exception"))) << pointer;
   }
 }
 

@@ -60,7 +60,7 @@ TEST(RunPart, IsParsedFromText) {
   }
 }
 
-TEST_F(AutomaticPart, FollowsTheEnvironmentOfJobLaunchers) {
+TEST_F(AutomaticPart, IsReadFromTheVariablesOfJobLaunchers) {
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "1"}}),
             "3/8");
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "0"}}),

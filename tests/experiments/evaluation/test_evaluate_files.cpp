@@ -166,7 +166,7 @@ class MatrixWarnings : public test::FolderTest {
   }
 };
 
-TEST_F(MatrixWarnings, AreNotGivenWithoutAnomalies) {
+TEST_F(MatrixWarnings, AreEmptyForAMatrixWithoutAnomalies) {
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
 }
 
@@ -284,7 +284,7 @@ TEST_F(EvaluateFiles, RejectsMatrixSettingsForRankedLists) {
   }
 }
 
-TEST_F(EvaluateFiles, MatchesIdsWithTheEndsOfPaths) {
+TEST_F(EvaluateFiles, MatchesIdsWithPathSuffixes) {
   test::write_text(at("paths.csv"), "id,class\ncat/a,cat\ncat/b,cat\ndog/c,dog\n");
   test::write_text(at("names.csv"), "id,class\na.obj,cat\nb.obj,cat\nc.obj,dog\n");
   for (const auto& [ids, labels] : {std::pair{"a,b,c", "paths.csv"},

@@ -53,7 +53,7 @@ TEST_F(EvaluationTaskTest, NegatesSimilarities) {
 TEST_F(EvaluationTaskTest, ComputesDistancesOfFeatures) {
   const auto labels = two_classes();
   for (const char* table : {"10,5,0\n1,0,0\n11,6,1\n2,1,0\n", "id,x,y\n10,5,0\n1,0,0\n11,6,1\n2,1,0\n"}) {
-    // Without a header, numeric ids are taken as features: rows are 1, 2, 10, 11 then.
+    // Without a header, numeric ids are read as features: rows are 1, 2, 10, 11 then.
     const EvaluationData input =
         open_evaluation_files({.matrix = file("f.csv", table), .labels = labels, .distance = "l2"});
     const bool header = table[0] == 'i';

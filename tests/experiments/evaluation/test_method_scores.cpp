@@ -81,7 +81,7 @@ TEST_F(MethodScoreTables, RejectInvalidRowsWithTheirLine) {
 }
 
 // Names of methods derived from file names.
-std::vector<std::string> names_of(const std::vector<std::string>& files, const std::vector<std::string>& wanted = {}) {
+std::vector<std::string> names_of(const std::vector<std::string>& files, const std::vector<std::string>& names = {}) {
   std::vector<MethodScores> methods;
   for (const std::string& file : files) {
     methods.push_back({.method = std::filesystem::path(file).stem().string(),
@@ -92,7 +92,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files, const s
                        .classes = {"ant"},
                        .values = Eigen::MatrixXd::Ones(1, 1)});
   }
-  return align_methods(methods, {}, wanted).methods;
+  return align_methods(methods, {}, names).methods;
 }
 
 TEST(MethodNames, AreTheShortestUniqueNames) {

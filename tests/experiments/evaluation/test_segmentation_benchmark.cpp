@@ -53,11 +53,11 @@ TEST_F(SegmentationBenchmarkFolder, IsRejectedWithoutHumanSegmentations) {
   EXPECT_THROW(find_segmentation_benchmark(folder_.path()), InputError);
 }
 
-/// Labels by the side of x = 0.
-Labels halves(const Shape& shape, double place) {
+/// Labels: 1 where x is above the limit, otherwise 0.
+Labels halves(const Shape& shape, double limit) {
   const Samples samples = sample_shape(shape, SampleSite::faces);
   Labels labels;
-  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) labels.push_back(samples.points(i, 0) > place ? 1 : 0);
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) labels.push_back(samples.points(i, 0) > limit ? 1 : 0);
   return labels;
 }
 

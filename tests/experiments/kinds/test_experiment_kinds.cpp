@@ -105,12 +105,12 @@ TEST_F(ExperimentKinds, RejectDocumentsOfAnotherKindOfExperiment) {
                                               {"comparison", comparison()},
                                               {"segmentation", segmentation()},
                                               {"multi_dataset", multi_dataset()}};
-  for (const auto& [own, document] : documents) {
+  for (const auto& [actual, document] : documents) {
     for (const auto& [other, unused] : documents) {
-      SCOPED_TRACE(own + " as " + other);
+      SCOPED_TRACE(actual + " as " + other);
       const std::string error = test::input_error_of(
           [&, &name = other, &read = document] { experiment_kinds().at(name).read(read, "test.json", at("")); });
-      EXPECT_THAT(error, testing::StartsWith(own == other ? "no error" : "test.json: unknown key \""));
+      EXPECT_THAT(error, testing::StartsWith(actual == other ? "no error" : "test.json: unknown key \""));
     }
   }
 }
@@ -228,23 +228,23 @@ TEST_F(ExperimentKinds, ContinueFromTheCacheAfterAnInterruption) {
                                        {"segmentation", segmentation()},
                                        {"multi_dataset", multi_dataset()}}) {
     SCOPED_TRACE(name);
-    const std::string place = name;
+    const std::string folder = name;
     Cache none;
-    (void)run(document, place + "/alone", none);
+    (void)run(document, folder + "/alone", none);
     std::size_t done = 0;
     RunControl control{.threads = 1, .interrupted = [&] { return done >= 2; }};
     control.progress = [&](std::string_view stage, std::size_t now, std::size_t) {
       if (stage == "signatures" || stage == "shapes") done = now;
     };
     Cache first(at("cache"));
-    EXPECT_THROW((void)run(document, place + "/resumed", first, control), Interrupted);
-    EXPECT_FALSE(fs::exists(at(place + "/resumed") / manifest_name));
+    EXPECT_THROW((void)run(document, folder + "/resumed", first, control), Interrupted);
+    EXPECT_FALSE(fs::exists(at(folder + "/resumed") / manifest_name));
     Cache second(at("cache"));
-    const RunOutcome outcome = run(document, place + "/resumed", second);
+    const RunOutcome outcome = run(document, folder + "/resumed", second);
     std::size_t hits = 0;
     for (const CacheUse& use : outcome.cache.uses) hits += use.hits;
     EXPECT_GT(hits, 0U);
-    EXPECT_EQ(test::results_in(at(place + "/resumed")), test::results_in(at(place + "/alone")));
+    EXPECT_EQ(test::results_in(at(folder + "/resumed")), test::results_in(at(folder + "/alone")));
   }
 }
 

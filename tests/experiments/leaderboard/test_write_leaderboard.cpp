@@ -70,7 +70,7 @@ TEST_F(WriteLeaderboardSite, RewritesPagesWhenClassesAreRenamed) {
 }
 
 TEST_F(WriteLeaderboardSite, CompletesASiteAfterAnInterruption) {
-  // A page that cannot be written: its place is taken by a folder.
+  // A page that cannot be written: a folder has its name.
   fs::create_directories(site / "methods" / "good.html" / "in the way");
   EXPECT_ANY_THROW(check_site_folder(site)) << "no site yet";
   fs::rename(site / "methods", small.folder.path() / "aside");
@@ -87,7 +87,7 @@ TEST_F(WriteLeaderboardSite, CompletesASiteAfterAnInterruption) {
   update(site);
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 
-  // The earlier submission again: its page is not taken for the one of before the interruption.
+  // The earlier submission again: its page is not mistaken for the one written before the interruption.
   small.add("good.csv", test_board::small_matrix(0));
   update(site);
   EXPECT_EQ(test::text_of(site / "methods/good.html"), whole);

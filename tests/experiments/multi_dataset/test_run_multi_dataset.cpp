@@ -84,8 +84,8 @@ TEST_F(RunMultiDataset, TabulatesTheAveragesOfTheDataSets) {
   EXPECT_EQ(summary["tables"].size(), 2U * 2 * 6) << "protocols, averages, measures";
   for (const std::string set : {"First set", "second"}) {
     const std::string folder = file_safe_name(set);
-    const Json own = json_in("together/" + folder + "/summary.json");
-    for (const Json& row : own["rows"]) {
+    const Json of_set = json_in("together/" + folder + "/summary.json");
+    for (const Json& row : of_set["rows"]) {
       for (const Json& table : summary["tables"]) {
         if (table["protocol"] != row["protocol"] || table["average"] != row["average"]) continue;
         const auto method =
@@ -126,7 +126,7 @@ TEST_F(RunMultiDataset, DoesNotWriteResultsIntoAnInputDataSet) {
   EXPECT_FALSE(fs::exists(at("second/manifest.json")));
   json["datasets"][0]["name"] = "a";
   json["datasets"][1]["name"] = "b";
-  EXPECT_TRUE(run(json, "").left_out.empty()) << "a folder beside the data sets";
+  EXPECT_TRUE(run(json, "").left_out.empty()) << "a folder next to the data sets";
 }
 
 TEST_F(RunMultiDataset, FailsWithoutUsableDataSets) {

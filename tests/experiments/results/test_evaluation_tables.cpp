@@ -110,10 +110,10 @@ TEST_F(EvaluationTables, PrintIntervalsNextToScoresOrInColumns) {
     named[0].intervals.micro.push_back({.low = 0.01 * i, .high = 0.9 + 0.01 * i});
     named[0].intervals.macro.push_back({.low = 0.1 + 0.01 * i, .high = 0.8 + 0.01 * i});
   }
-  const TextTable beside = summary_table(named, {}, IntervalCells::beside);
-  EXPECT_EQ(beside.rows[0][3], "28.57 [0.00, 90.00]");
-  EXPECT_EQ(beside.rows[0][8], "51.30 [5.00, 95.00]");
-  EXPECT_EQ(beside.rows[1][4], "33.33 [11.00, 81.00]");
+  const TextTable with_intervals = summary_table(named, {}, IntervalCells::in_cells);
+  EXPECT_EQ(with_intervals.rows[0][3], "28.57 [0.00, 90.00]");
+  EXPECT_EQ(with_intervals.rows[0][8], "51.30 [5.00, 95.00]");
+  EXPECT_EQ(with_intervals.rows[1][4], "33.33 [11.00, 81.00]");
   const TextTable columns = summary_table(named, {}, IntervalCells::columns);
   ASSERT_THAT(columns.header, SizeIs(21));
   ASSERT_THAT(columns.rows, Each(SizeIs(21)));

@@ -80,8 +80,8 @@ TEST_F(ProtocolAuditOfTwoMethods, WarnsOnceOfAnAnomalyOfTheSharedLabels) {
       << testing::PrintToString(found.warnings);
 }
 
-// All lists are alike, so that all queries of the class a have a first tier of 1 and those of b 0: resampled classes
-// range from 0 to 1, unless the rows of a file are taken for other queries.
+// All lists are equal, so that all queries of the class a have a first tier of 1 and those of b 0: resampled classes
+// range from 0 to 1, unless the rows of a file are assigned to other queries.
 TEST_F(ProtocolAuditOfTwoMethods, AcceptsFilesWithQueriesInAnyOrder) {
   const auto list = [](const std::string& query) {
     return query + " Q0 5 1 4 run\n" + query + " Q0 6 2 3 run\n" + query + " Q0 7 3 2 run\n" + query +

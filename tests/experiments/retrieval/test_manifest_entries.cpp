@@ -22,7 +22,7 @@ TEST(ManifestEntries, ListInputsAndFailures) {
   results.configuration.location =
       DatasetLocation{.layout = "shrec11", .root = folder.path(), .classification = folder.path() / "failed.off"};
   results.configuration.seed = 17;
-  results.configuration.report.wanted = false;
+  results.configuration.report.enabled = false;
   results.models = {{.id = "3", .file = "", .label = 1}, {.id = "5", .file = "", .label = 0}};
   results.shapes.resize(2);
   results.shapes[0].sha256 = "aa";

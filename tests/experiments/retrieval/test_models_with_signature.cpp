@@ -19,7 +19,7 @@ DistanceMatrix with_infinite_second() {
 TEST(ModelsWithSignature, ModelsWithoutASignatureAreInfinitelyFar) {
   const ModelsWithSignature models(second_of_three(), 3);
   EXPECT_FALSE(models.has_all_models());
-  EXPECT_THAT(models.places(), testing::ElementsAre(0, 2));
+  EXPECT_THAT(models.indices(), testing::ElementsAre(0, 2));
   const DistanceMatrix between{{0, 5}, {7, 0}};
   EXPECT_EQ(models.spread(between), with_infinite_second());
 }

@@ -37,8 +37,8 @@ class WriteResults : public test::FolderTest {
                                    {{"name", "perfect/2"}, {"descriptor", {{"type", "d2"}}}}}}},
                                 "test.json", folder_.path());
     results_.classes = {"a", "b"};
-    const Eigen::VectorXd places = (Eigen::VectorXd(5) << 0, 1, 2.5, 4.2, 9).finished();
-    line_ = (places.replicate(1, 5) - places.transpose().replicate(5, 1)).cwiseAbs();
+    const Eigen::VectorXd positions = (Eigen::VectorXd(5) << 0, 1, 2.5, 4.2, 9).finished();
+    line_ = (positions.replicate(1, 5) - positions.transpose().replicate(5, 1)).cwiseAbs();
     DistanceMatrix perfect(5, 5);
     for (int i = 0; i < 5; ++i) {
       for (int j = 0; j < 5; ++j) perfect(i, j) = i == j ? 0 : labels_[i] == labels_[j] ? 1 + i + j : 100 + i + j;

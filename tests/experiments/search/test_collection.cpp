@@ -86,7 +86,7 @@ TEST_F(FindCollection, AcceptsAConfigurationThatNamesADatasetFile) {
               AllOf(HasSubstr("run.json: dataset: "), HasSubstr("absent.json: no such file")));
 }
 
-TEST_F(FindCollection, RejectsInvalidDataSetsWithTheirLocation) {
+TEST_F(FindCollection, ErrorsNameTheKeyOfAnInvalidDataSet) {
   for (const auto& [dataset, message] : {std::pair(R"({})", "run.json: dataset: "),
                                          {R"({"layout": "folders", "root": 3})", "run.json: dataset.root: "},
                                          {R"({"layout": "shrec07", "root": ".", "split": "test"})", "dataset.split: "},

@@ -178,7 +178,7 @@ TEST_F(OpenIndexOfAFolder, IsBoundToItsCollectionEvenIfMoved) {
   EXPECT_EQ(open_index(folder.method(), other, folder.index(), {}, cache, update).contents.models.size(), 9U);
   EXPECT_FALSE(update.rebuilt);
   for (int i = 0; i < 9; ++i) write_off(other / ("T" + std::to_string(i) + ".off"), test::small_shape("box", 20 + i));
-  open_index(folder.method(), other, folder.index(), {}, cache, update);  // known by its place
+  open_index(folder.method(), other, folder.index(), {}, cache, update);  // known by its path
   EXPECT_TRUE(update.rebuilt);
 }
 

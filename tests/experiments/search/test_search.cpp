@@ -118,7 +118,7 @@ TEST_F(Search, ExternalQueryIsRerankedByDiffusionWithTheCollection) {
   for (const RankedModel& one : answer.nearest) EXPECT_NEAR(one.distance, expected(9, one.model), 1e-5);
 }
 
-TEST_F(Search, RanksShapesOfTheClassOfTheQueryFirst) {
+TEST_F(Search, RanksShapesOfTheQueryClassFirst) {
   OpenIndex index = folder.open();
   const Shape shape = test::small_shape("sphere", 8);
   write_off(folder.at("query.off"), shape);

@@ -61,7 +61,7 @@ TEST(SearchMethodOfAConfiguration, KeyChangesWithEverySettingThatAffectsResults)
   EXPECT_NE(folder.method("d2").key(), key);
 }
 
-std::vector<std::string> kept_signatures(const SearchMethod& method) {
+std::vector<std::string> signature_names(const SearchMethod& method) {
   std::vector<std::string> names;
   for (const SignatureConfiguration& one : method.configuration.signatures) names.push_back(one.name);
   return names;
@@ -76,14 +76,14 @@ std::vector<std::string> term_names(const SearchMethod& method) {
 TEST(SearchMethodOfAConfiguration, ContainsOnlyTheSelectedSignatureAndItsInputs) {
   const SearchedFolder folder;
   const SearchMethod alone = folder.method("d2");
-  EXPECT_THAT(kept_signatures(alone), ElementsAre("d2"));
+  EXPECT_THAT(signature_names(alone), ElementsAre("d2"));
   EXPECT_THAT(term_names(alone), ElementsAre("d2"));
   EXPECT_THAT(alone.sum.weights, ElementsAre(1));
   const SearchMethod concatenated = folder.method("both");
-  EXPECT_THAT(kept_signatures(concatenated), ElementsAre("own range", "range of all", "both"));
+  EXPECT_THAT(signature_names(concatenated), ElementsAre("own range", "range of all", "both"));
   EXPECT_THAT(term_names(concatenated), ElementsAre("both"));
   const SearchMethod sum = folder.method("median");
-  EXPECT_THAT(kept_signatures(sum), ElementsAre("own range", "range of all", "both", "d2", "median"));
+  EXPECT_THAT(signature_names(sum), ElementsAre("own range", "range of all", "both", "d2", "median"));
   EXPECT_THAT(term_names(sum), ElementsAre("both", "d2"));
   EXPECT_THAT(sum.sum.weights, ElementsAre(1, 0.5));
   EXPECT_EQ(sum.sum.options.scale, DistanceScale::median);

@@ -11,8 +11,8 @@ namespace shapegauge {
 namespace {
 
 MappedBytes in_memory(std::string bytes) {
-  const auto kept = std::make_shared<const std::string>(std::move(bytes));
-  return {.memory = kept, .bytes = *kept};
+  const auto stored = std::make_shared<const std::string>(std::move(bytes));
+  return {.memory = stored, .bytes = *stored};
 }
 
 TEST(ShapeIndex, IsDecodedAsEncoded) {
@@ -60,8 +60,8 @@ TEST(ShapeIndex, ReadsTablesInPlaceUntilTheyAreCopied) {
   IndexFault fault{};
   auto back = decode_index(file, key, fault);
   ASSERT_TRUE(back);
-  const auto is_within = [&](const float* place) {
-    const auto* byte = reinterpret_cast<const char*>(place);
+  const auto is_within = [&](const float* address) {
+    const auto* byte = reinterpret_cast<const char*>(address);
     return byte >= file.bytes.data() && byte < file.bytes.data() + file.bytes.size();
   };
   EXPECT_TRUE(is_within(back->tables[0].entries.get()));

@@ -81,20 +81,20 @@ TEST_F(SegmentationRun, ScoresMethodsAndHumanSegmentations) {
   EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
   EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
   // Of 640 triangles in two halves, pairs across are 320 * 320.
-  const double apart = 320.0 * 320 / (640.0 * 639 / 2);
+  const double separated = 320.0 * 320 / (640.0 * 639 / 2);
   EXPECT_DOUBLE_EQ(results.scores.mean(0, &SegmentationErrors::rand_index, 0), 0);
-  EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, apart / 2);
-  EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, apart);
-  EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), apart / 2);
+  EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, separated / 2);
+  EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, separated);
+  EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), separated / 2);
   EXPECT_THAT(test::publish(at("results"), results).summary, HasSubstr("the paper"));
 }
 
 TEST_F(SegmentationRun, ReadsUnchangedSegmentationsFromTheCache) {
   SegmentationExperiment same = experiment();
   same.methods.resize(1);
-  const std::filesystem::path place = at("cache");
+  const std::filesystem::path folder = at("cache");
   const auto use_of = [&](const SegmentationExperiment& run) {
-    Cache cache(place);
+    Cache cache(folder);
     const auto results = cut(run, cache, {.threads = 1});
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   };
@@ -125,18 +125,18 @@ TEST_F(SegmentationRun, WritesTheSameListedFilesOnAnyNumberOfThreads) {
   std::map<std::string, std::string> first;
   for (const int threads : {1, 2}) {
     Cache cache;
-    const std::filesystem::path place = folder_.path() / "results" / std::to_string(threads);
-    test::publish(place, cut(experiment(), cache, {.threads = threads}));
-    const nlohmann::json manifest = read_json(place / manifest_name);
+    const std::filesystem::path folder = folder_.path() / "results" / std::to_string(threads);
+    test::publish(folder, cut(experiment(), cache, {.threads = threads}));
+    const nlohmann::json manifest = read_json(folder / manifest_name);
     EXPECT_EQ(manifest.at("inputs").at("models").size(), 9U);
     std::map<std::string, std::string> files;
-    for (const std::string name : manifest.at("files")) files[name] = bytes_of(place / name);
+    for (const std::string name : manifest.at("files")) files[name] = bytes_of(folder / name);
     EXPECT_TRUE(files.contains("parts/the_paper/22.seg"));
     EXPECT_TRUE(files.contains("errors.csv"));
     EXPECT_THAT(files.at("report.html"), HasSubstr("\"png\":\"iVBOR"));
     if (first.empty()) first = files;
     EXPECT_EQ(files, first);
-    EXPECT_EQ(read_seg(place / "parts/best/1.seg", two_balls()).back(), 1);
+    EXPECT_EQ(read_seg(folder / "parts/best/1.seg", two_balls()).back(), 1);
   }
 }
 

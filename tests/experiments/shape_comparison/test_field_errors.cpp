@@ -77,11 +77,11 @@ TEST(TrueNormals, AreRejectedForAPointCloud) {
   EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), ArgumentError);
 }
 
-/// Ten places on a line with the values 1 to 10.
-PlacedValues line() {
-  PlacedValues placed{.points = Points::Zero(10, 3), .values = Eigen::VectorXd::LinSpaced(10, 1, 10)};
-  placed.points.col(0) = Eigen::VectorXd::LinSpaced(10, 0, 9);
-  return placed;
+/// Ten points on a line with the values 1 to 10.
+LocatedValues line() {
+  LocatedValues result{.points = Points::Zero(10, 3), .values = Eigen::VectorXd::LinSpaced(10, 1, 10)};
+  result.points.col(0) = Eigen::VectorXd::LinSpaced(10, 0, 9);
+  return result;
 }
 
 TEST(ValueErrors, AreZeroForTheReferenceItself) {
@@ -93,7 +93,7 @@ TEST(ValueErrors, AreZeroForTheReferenceItself) {
 }
 
 TEST(ValueErrors, CompareWithTheNearestReferenceSample) {
-  PlacedValues moved = line();
+  LocatedValues moved = line();
   moved.points.col(0).array() += 0.3;
   moved.points.col(1).array() += 7;
   moved.values *= 1.5;  // errors of 0.5, 1, ... 5
@@ -106,9 +106,9 @@ TEST(ValueErrors, CompareWithTheNearestReferenceSample) {
 
 TEST(ValueErrors, AreFractionsOfTheDiagonalToThePowerOfTheDimension) {
   const auto median = [](FieldDimension dimension) {
-    PlacedValues reference = line();
+    LocatedValues reference = line();
     reference.dimension = dimension;
-    PlacedValues moved = reference;
+    LocatedValues moved = reference;
     moved.values.array() += 2;
     return value_errors(moved, reference, 10).median;
   };
@@ -118,15 +118,15 @@ TEST(ValueErrors, AreFractionsOfTheDiagonalToThePowerOfTheDimension) {
 }
 
 TEST(ValueErrors, RelativeToNegativeValuesArePositive) {
-  PlacedValues reference = line();
+  LocatedValues reference = line();
   reference.values *= -1;
-  PlacedValues moved = reference;
+  LocatedValues moved = reference;
   moved.values *= 1.5;
   EXPECT_DOUBLE_EQ(value_errors(moved, reference, 9).relative_median, 0.5);
 }
 
 TEST(ValueErrors, RelativeToZeroAreInfiniteOrZero) {
-  PlacedValues reference = line();
+  LocatedValues reference = line();
   reference.values.setZero();
   EXPECT_EQ(value_errors(reference, reference, 9).relative_median, 0);
   EXPECT_EQ(value_errors(line(), reference, 9).relative_median, std::numeric_limits<double>::infinity());
@@ -139,10 +139,10 @@ TEST(LocatedValues, ExcludeMissingValuesAndUseTheUnitsOfTheFile) {
   samples.weights[2] = 0;
   Eigen::VectorXd values = line().values;
   values[4] = std::nan("");
-  const PlacedValues placed = placed_values(samples, values, FieldDimension::length, 2);
-  ASSERT_EQ(placed.values.size(), 8);
-  EXPECT_EQ(placed.values[2], 8);
-  EXPECT_EQ(placed.points(2, 0), 6);
+  const LocatedValues result = located_values(samples, values, FieldDimension::length, 2);
+  ASSERT_EQ(result.values.size(), 8);
+  EXPECT_EQ(result.values[2], 8);
+  EXPECT_EQ(result.points(2, 0), 6);
 }
 
 TEST(LocatedValues, AreScaledByTheirDimension) {
@@ -150,10 +150,10 @@ TEST(LocatedValues, AreScaledByTheirDimension) {
   samples.points = line().points;
   samples.weights = Eigen::VectorXd::Ones(10);
   const auto values = [&](FieldDimension dimension) {
-    const PlacedValues placed = placed_values(samples, line().values, dimension, 3);
-    EXPECT_EQ(placed.points(2, 0), 6) << "places are lengths whatever the values are";
-    EXPECT_EQ(placed.dimension, dimension);
-    return placed.values;
+    const LocatedValues result = located_values(samples, line().values, dimension, 3);
+    EXPECT_EQ(result.points(2, 0), 6) << "positions are lengths whatever the values are";
+    EXPECT_EQ(result.dimension, dimension);
+    return result.values;
   };
   EXPECT_EQ(values(FieldDimension::none), line().values);
   EXPECT_EQ(values(FieldDimension::length), 3 * line().values);

@@ -91,11 +91,11 @@ TEST_F(RunComparison, NormalErrorsAreAnglesToTheNormalsOfTheReference) {
   const ShapeComparisonResults results = run();
   const FieldMeasurement& noisy = results.shapes[0].fields[0];
   const FieldMeasurement& clean = results.shapes[1].fields[0];
-  EXPECT_LT(clean.own_normals->mean, 1e-5);
+  EXPECT_LT(clean.shape_normals->mean, 1e-5);
   EXPECT_LT(clean.offset_normals->mean, 1e-5);
-  EXPECT_GT(noisy.own_normals->mean, 1);
+  EXPECT_GT(noisy.shape_normals->mean, 1);
   EXPECT_GT(noisy.offset_normals->mean, 1);
-  EXPECT_GT(noisy.own_normals->percentile_90, noisy.own_normals->median);
+  EXPECT_GT(noisy.shape_normals->percentile_90, noisy.shape_normals->median);
 }
 
 TEST_F(RunComparison, WritesTheSameBytesOnAnyNumberOfThreads) {
@@ -217,7 +217,7 @@ TEST_F(RunComparison, SideOfNormalsStoredInACloudCountsAsError) {
   changed["signatures"].erase(1);
   changed["signatures"][0]["field"]["offset"] = 0.1;
   const ShapeComparisonResults results = run(changed);
-  EXPECT_LT(results.shapes[0].fields[0].own_normals->percentile_90, 8);
+  EXPECT_LT(results.shapes[0].fields[0].shape_normals->percentile_90, 8);
 }
 
 TEST(ShapeComparisonOfGeneratedShapes, NeedsNoShapeFiles) {

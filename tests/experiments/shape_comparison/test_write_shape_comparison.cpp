@@ -43,7 +43,7 @@ class WriteShapeComparison : public test::FolderTest {
         .errors =
             ValueErrors{.median = 0.01, .percentile_90 = 0.02, .relative_median = 0.3, .relative_percentile_90 = 0.4},
         .offset_normals = NormalErrors{.mean = 1, .median = 2, .percentile_90 = 3},
-        .own_normals = NormalErrors{.mean = 4, .median = 5, .percentile_90 = 6}};
+        .shape_normals = NormalErrors{.mean = 4, .median = 5, .percentile_90 = 6}};
     for (auto* field : {&results_.shapes[0].fields[0], &results_.shapes[0].fields[1], &results_.shapes[1].fields[1]}) {
       field->samples = 10;
     }

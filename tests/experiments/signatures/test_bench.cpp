@@ -33,7 +33,7 @@ Uses uses_of(const ExperimentResults& results) {
   return uses;
 }
 
-/// Runs over the small data set with two more fields: one of the offset surface that chooses its offset, at places of
+/// Runs over the small data set with two more fields: one of the offset surface that chooses its offset, at points of
 /// the surface, and a conventional one at vertices. In all: 9 shapes, 3 fields each, 6 distance matrices.
 class RunsThroughCache : public test::FolderTest {
  protected:
@@ -77,7 +77,7 @@ class RunsThroughCache : public test::FolderTest {
 };
 
 const Uses all_computed{{"shape", {0, 9}}, {"field", {0, 27}}, {"distances", {0, 6}}};
-const Uses all_taken{{"shape", {9, 0}}, {"field", {27, 0}}, {"distances", {6, 0}}};
+const Uses all_cached{{"shape", {9, 0}}, {"field", {27, 0}}, {"distances", {6, 0}}};
 
 TEST_F(RunsThroughCache, ReuseAllResultsOfAnEarlierRunAndWriteTheSameBytes) {
   const auto fresh = fresh_files(document());
@@ -87,7 +87,7 @@ TEST_F(RunsThroughCache, ReuseAllResultsOfAnEarlierRunAndWriteTheSameBytes) {
   EXPECT_EQ(files_of(cold), fresh);
   for (const int threads : {1, 3}) {
     const ExperimentResults warm = run(document(), threads);
-    EXPECT_EQ(uses_of(warm), all_taken);
+    EXPECT_EQ(uses_of(warm), all_cached);
     EXPECT_EQ(files_of(warm), fresh);
   }
 }
@@ -101,7 +101,7 @@ TEST_F(RunsThroughCache, WriteTheSameBytesWithAPartialCache) {
       if (file.kind == kind) fs::remove(file.path);
     }
     EXPECT_EQ(files_of(run(document())), fresh) << name_of(kind);
-    EXPECT_EQ(uses_of(run(document())), all_taken) << name_of(kind);
+    EXPECT_EQ(uses_of(run(document())), all_cached) << name_of(kind);
   }
   // Every third file, regardless of kind.
   std::size_t i = 0;
@@ -119,7 +119,7 @@ TEST_F(RunsThroughCache, DrawPicturesFromCachedValues) {
     const auto fresh = fresh_files(pictured);
     run(document());
     const ExperimentResults drawn = run(pictured);
-    EXPECT_EQ(uses_of(drawn), all_taken);
+    EXPECT_EQ(uses_of(drawn), all_cached);
     EXPECT_EQ(files_of(drawn), fresh);
     const CacheUse pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
     EXPECT_EQ(pictures.hits, 9U);
@@ -137,7 +137,7 @@ TEST_F(RunsThroughCache, MakeViewsOnceFromCachedValues) {
     if (file.kind == EntryKind::view) fs::remove(file.path);
   }
   const ExperimentResults again = run(document());
-  EXPECT_EQ(uses_of(again), all_taken);
+  EXPECT_EQ(uses_of(again), all_cached);
   EXPECT_EQ(again.views, first.views);
   const CacheUse views = run(document()).cache.uses.at(static_cast<std::size_t>(EntryKind::view));
   EXPECT_EQ(views.hits, 9U);
@@ -158,7 +158,7 @@ TEST_F(RunsThroughCache, ReportAnAutomaticOffsetReadFromTheCache) {
   chosen["signatures"][4]["field"]["offset"] = "auto";
   run(chosen);
   const ExperimentResults warm = run(chosen);
-  EXPECT_EQ(uses_of(warm), all_taken);
+  EXPECT_EQ(uses_of(warm), all_cached);
   EXPECT_TRUE(warm.shapes[0].fields[1].offset.has_value());
   EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
@@ -198,7 +198,7 @@ TEST_F(RunsThroughCache, RecomputeAllResultsOnRequest) {
   run(document());
   Cache anew(cache(), true);
   EXPECT_EQ(uses_of(run(document(), anew)), all_computed);
-  EXPECT_EQ(uses_of(run(document())), all_taken);
+  EXPECT_EQ(uses_of(run(document())), all_cached);
 }
 
 TEST_F(RunsThroughCache, StorePerturbedModelsSeparately) {
@@ -209,7 +209,7 @@ TEST_F(RunsThroughCache, StorePerturbedModelsSeparately) {
   run(document());
   EXPECT_EQ(uses_of(run(noisy)), all_computed);
   const ExperimentResults warm = run(noisy);
-  EXPECT_EQ(uses_of(warm), all_taken);
+  EXPECT_EQ(uses_of(warm), all_cached);
   EXPECT_EQ(files_of(warm), fresh_files(noisy));
 }
 
@@ -251,7 +251,7 @@ TEST_F(RunsThroughCache, RecomputeDamagedEntries) {
   EXPECT_EQ(files_of(run(document(), used)), fresh);
   EXPECT_THAT(used.warnings(), ElementsAre(testing::AllOf(HasSubstr("damaged cache entry, recomputed: "),
                                                           HasSubstr(std::to_string(damaged - 1) + " others"))));
-  EXPECT_EQ(uses_of(run(document())), all_taken);
+  EXPECT_EQ(uses_of(run(document())), all_cached);
 }
 
 }  // namespace

@@ -33,18 +33,18 @@ TEST(DistinctFields, MergeEqualSettingsWithAndWithoutDefaults) {
   EXPECT_EQ(first_histogram_of(read_field({{"type", "cone_sdf"}, {"rays", 27}}), signatures), std::nullopt);
 }
 
-TEST(DescribeField, KeepsValuesOnlyIfTheHistogramRangeIsThatOfTheDataSet) {
+TEST(DescribeField, StoresFieldValuesOnlyIfTheHistogramRangeIsOverTheDataSet) {
   const StoredField field{
       .range = {.low = 0.25, .high = 1}, .outcomes = {}, .offset = {}, .values = Eigen::Vector3d(0.25, 0.5, 1)};
   for (const HistogramRange range : {HistogramRange::per_shape, HistogramRange::dataset}) {
     const std::vector<SignatureConfiguration> signatures{signature({{"type", "cone_sdf"}}, range)};
     std::vector<FeatureDescription> features(1);
-    const FieldDescription kept =
+    const FieldDescription description =
         describe_field(field, Eigen::Vector3d(1, 1, 2), *signatures[0].field, signatures, features);
     const bool waits = range == HistogramRange::dataset;
-    EXPECT_EQ(kept.values.size(), waits ? 3 : 0);  // those of thousands of shapes would exhaust memory
+    EXPECT_EQ(description.values.size(), waits ? 3 : 0);  // those of thousands of shapes would exhaust memory
     EXPECT_EQ(features[0].features.size(), waits ? 0 : 80);
-    EXPECT_EQ(kept.range.high, 1);
+    EXPECT_EQ(description.range.high, 1);
   }
 }
 

@@ -35,7 +35,7 @@ ModelDescription model_without_field() {
   return model;
 }
 
-TEST(AssembleSignatures, ConcatenatesTermsInTheGivenOrder) {
+TEST(AssembleSignatures, ConcatenatesTermsInTheOrderOfTheConfiguration) {
   ModelDescription model;
   model.fields.resize(1);
   model.features = {{.features = Eigen::VectorXf{{0.25F, 0.75F}}}, {.features = Eigen::VectorXf{{1.0F}}}, {}};
@@ -78,10 +78,10 @@ TEST(HistogramRanges, AreTheRangeOfTheShapeOfTheDataSetOrAFixedOne) {
   const ModelDescription high = model_with_range({.low = 0, .high = 5});
   const auto highs = [&](HistogramRange range) {
     std::vector<double> all;
-    HistogramConfiguration wanted;
-    wanted.range = range;
-    wanted.fixed = {.low = 0, .high = 7};
-    for (const Interval& one : histogram_ranges({&low, &high}, wanted, 0)) all.push_back(one.high);
+    HistogramConfiguration histogram;
+    histogram.range = range;
+    histogram.fixed = {.low = 0, .high = 7};
+    for (const Interval& one : histogram_ranges({&low, &high}, histogram, 0)) all.push_back(one.high);
     return all;
   };
   EXPECT_THAT(highs(HistogramRange::per_shape), ElementsAre(2, 5));

@@ -151,10 +151,10 @@ void add_experiment_kind() {
            },
        .read =
            [](const nlohmann::json& document, const std::string& /*source*/, const std::filesystem::path& folder) {
-             const shapegauge::DatasetLocation place{.layout = "flat", .root = folder / document.at("count")};
-             const auto run = [place](const shapegauge::RunContext& /*context*/, const shapegauge::RunResults& to) {
+             const shapegauge::DatasetLocation dataset{.layout = "flat", .root = folder / document.at("count")};
+             const auto run = [dataset](const shapegauge::RunContext& /*context*/, const shapegauge::RunResults& to) {
                shapegauge::RunOutcome outcome{.noun = "model"};
-               outcome.used = shapegauge::find_dataset(place).models.size();
+               outcome.used = shapegauge::find_dataset(dataset).models.size();
                outcome.summary = std::to_string(outcome.used) + " models";
                outcome.files = {"count.txt"};
                shapegauge::write_file_atomically(to.folder / "count.txt", outcome.summary + "\n");
@@ -163,7 +163,7 @@ void add_experiment_kind() {
              };
              return shapegauge::Experiment{.name = "count",
                                            .configuration = [document] { return document; },
-                                           .input_paths = {place.root},
+                                           .input_paths = {dataset.root},
                                            .run = run};
            }});
 }

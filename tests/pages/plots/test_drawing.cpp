@@ -14,7 +14,7 @@ Drawing small_drawing() {
   Drawing drawing{.width = 40, .height = 20, .elements = {}};
   drawing.rectangle({0, 0}, {20, 20}, {255, 0, 0});
   drawing.path({.points = {{20, 10}, {40, 10}}, .stroke = Colour{0, 0, 255}, .width = 4, .dashes = {2, 3}});
-  drawing.text({.text = "a < b & \"c\"", .place = {2, 12}, .anchor = TextAnchor::end, .upwards = true});
+  drawing.text({.text = "a < b & \"c\"", .position = {2, 12}, .anchor = TextAnchor::end, .upwards = true});
   return drawing;
 }
 

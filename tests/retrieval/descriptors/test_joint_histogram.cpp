@@ -136,7 +136,7 @@ TEST(JointHistogram, OfAFieldConstantUpToRoundingFillsOneBin) {
   EXPECT_EQ(compute_features(joint, {none, fields}, {}, settings), constant);
 }
 
-TEST(JointHistogram, UsesTheRangeOfEachShapeIfTheDataSetRangeIsOneValue) {
+TEST(JointHistogram, UsesTheRangeOfEachShapeIfTheDataSetRangeIsASingleValue) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   fields[0].values.setConstant(0.7);
   const Shape none;

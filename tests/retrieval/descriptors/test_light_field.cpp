@@ -37,7 +37,7 @@ TEST(LightFieldDescriptor, RotatedShapeIsMuchCloserThanOtherShapes) {
 }
 
 TEST(LightFieldDescriptor, DoesNotChangeUnderRotationsOfTheDodecahedron) {
-  // By a third of a turn about a vertex: a set's views change places.
+  // By a third of a turn about a vertex: a set's views are permuted.
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::Matrix3d third =
       Eigen::AngleAxisd(2 * std::numbers::pi / 3, Eigen::Vector3d(1, 1, 1).normalized()).toRotationMatrix();
@@ -63,7 +63,7 @@ TEST(LightFieldDescriptor, DistanceIsSymmetricAndZeroForEqualShapes) {
   EXPECT_GT(distance_of_light_fields(a, b), 0);
 }
 
-TEST(LightFieldDescriptor, DoesNotDependOnOrientationAndSplitVertices) {
+TEST(LightFieldDescriptor, DoesNotDependOnFaceOrientationOrDuplicatedVertices) {
   const Shape bar = test::box({1, 2, 4}, 2);
   EXPECT_EQ(light_field(test::flipped(test::soup(bar)), coarse), light_field(bar, coarse));
 }

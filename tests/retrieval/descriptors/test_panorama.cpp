@@ -26,8 +26,8 @@ double distance_of_panoramas(const Eigen::VectorXf& a, const Eigen::VectorXf& b)
 
 /// A bar with a knob: distinct principal axes, and no symmetry.
 Shape knobbed_bar() {
-  const auto at = [](const Shape& part, const Eigen::Vector3d& place) {
-    return test::transformed(part, 1, Eigen::Matrix3d::Identity(), place);
+  const auto at = [](const Shape& part, const Eigen::Vector3d& position) {
+    return test::transformed(part, 1, Eigen::Matrix3d::Identity(), position);
   };
   return test::joined({test::box({1, 2, 4}, 4), at(test::sphere(0.5, 3), {0.6, 1, 1.5})});
 }
@@ -94,7 +94,7 @@ TEST(PanoramaDescriptor, HardlyChangesUnderRotationReflectionTranslationAndScale
   }
 }
 
-TEST(PanoramaDescriptor, HardlyDependsOnOrderOrientationAndMeshing) {
+TEST(PanoramaDescriptor, HardlyDependsOnFaceOrderFaceOrientationOrMeshing) {
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::VectorXf expected = panorama(bar);
   const double tolerance = 0.01 * distance_of_panoramas(panorama(test::box({1, 1, 4}, 2)), expected);

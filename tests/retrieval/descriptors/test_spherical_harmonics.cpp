@@ -74,14 +74,14 @@ TEST(SphericalHarmonics, HardlyChangeUnderRotationAndNotUnderTranslationAndScale
   for (const bool voxels : {false, true}) {
     const SphericalHarmonicsOptions options = {.voxels = voxels};
     const Eigen::VectorXf expected = spherical_harmonics(bar, options);
-    const double apart = distance_of_harmonics(spherical_harmonics(other, options), expected);
+    const double to_other = distance_of_harmonics(spherical_harmonics(other, options), expected);
     const Shape moved = test::transformed(bar, 3, Eigen::Matrix3d::Identity(), {5, 6, 7});
-    EXPECT_LT(distance_of_harmonics(spherical_harmonics(moved, options), expected), 0.02 * apart) << voxels;
+    EXPECT_LT(distance_of_harmonics(spherical_harmonics(moved, options), expected), 0.02 * to_other) << voxels;
     for (const unsigned seed : {1U, 2U, 3U}) {
       const Shape turned = test::transformed(bar, 1, test::rotation(seed), {0, 0, 0});
       // The voxel grid does not rotate with the shape.
       const double tolerance = voxels ? 0.75 : 0.1;
-      EXPECT_LT(distance_of_harmonics(spherical_harmonics(turned, options), expected), tolerance * apart) << voxels;
+      EXPECT_LT(distance_of_harmonics(spherical_harmonics(turned, options), expected), tolerance * to_other) << voxels;
     }
   }
 }

@@ -53,9 +53,9 @@ TEST(SurfletPairs, OfASphereMatchRandomChords) {
   const Eigen::VectorXf features = pairs_of(test::sphere(2, 5), options);
   std::array<Eigen::VectorXd, 4> expected{Eigen::VectorXd::Zero(12), Eigen::VectorXd::Zero(8), Eigen::VectorXd::Zero(8),
                                           Eigen::VectorXd::Zero(8)};
-  const auto add = [](Eigen::VectorXd& shares, double place, double weight) {
+  const auto add = [](Eigen::VectorXd& shares, double position, double weight) {
     const auto bins = static_cast<double>(shares.size());
-    const double at = std::clamp(place * bins - 0.5, 0.0, bins - 1);
+    const double at = std::clamp(position * bins - 0.5, 0.0, bins - 1);
     const auto below = std::min(static_cast<Eigen::Index>(at), shares.size() - 2);
     shares[below] += weight * (1 - (at - static_cast<double>(below)));
     shares[below + 1] += weight * (at - static_cast<double>(below));

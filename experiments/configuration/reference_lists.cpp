@@ -12,7 +12,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
 
-// The tables of docs/reference/configuration.md.
+// The lists of docs/reference/configuration.md.
 
 namespace shapegauge {
 
@@ -31,22 +31,29 @@ std::string referenced_definition(const OrderedJson& property) {
   return reference.substr(reference.find_last_of('/') + 1);
 }
 
-/// Legal values of a property, for a table; empty where the description says all.
-std::string legal_values(const OrderedJson& property) {
-  if (const auto words = property.find("enum"); words != property.end()) {
-    return fmt::format(" (`{}`)", fmt::join(words->get<std::vector<std::string>>(), "`, `"));
-  }
+/// Legal values of a property and its default or "required"; nothing where the description says all.
+std::vector<std::string> remarks_on(const OrderedJson& property, bool is_required) {
+  std::vector<std::string> remarks;
   const std::string type = text_at(property, "type");
-  if (type == "array") return " (list)";
-  return type == "boolean" ? " (true or false)" : "";
+  if (const auto words = property.find("enum"); words != property.end()) {
+    remarks.push_back(fmt::format("`{}`", fmt::join(words->get<std::vector<std::string>>(), "`, `")));
+  } else if (type == "array" || type == "boolean") {
+    remarks.emplace_back(type == "array" ? "list" : "true or false");
+  }
+  if (is_required) {
+    remarks.emplace_back("required");
+  } else if (property.contains("default")) {
+    remarks.push_back(fmt::format("default `{}`", property["default"].dump()));
+  }
+  return remarks;
 }
 
-/// A row for each property of an object's schema but its parameters and what has no description.
+/// Lists the properties of an object's schema, except its parameters and properties without a description.
 /// - `prefix`: precedes the keys.
-std::string property_rows(const OrderedJson& definitions, const OrderedJson& schema,
+std::string property_list(const OrderedJson& definitions, const OrderedJson& schema,
                           std::span<const Parameter> parameters, const std::string& prefix = {}) {
   const OrderedJson required = schema.value("required", OrderedJson::array());
-  std::string rows;
+  std::string list;
   for (const auto& [key, property] : schema.at("properties").items()) {
     const auto has_this_name = [&key = key](const Parameter& parameter) { return parameter.name == key; };
     if (std::ranges::any_of(parameters, has_this_name)) continue;
@@ -55,18 +62,19 @@ std::string property_rows(const OrderedJson& definitions, const OrderedJson& sch
     full.update(property);
     if (!full.contains("description")) continue;
     const bool is_required = std::ranges::find(required, OrderedJson(key)) != required.end();
-    const std::string default_value = full.contains("default") ? fmt::format("`{}`", full["default"].dump()) : "";
-    rows += fmt::format("| `{}{}` | {}{} | {} |\n", prefix, key, text_at(full, "description"), legal_values(full),
-                        is_required ? "required" : default_value);
+    const std::vector<std::string> remarks = remarks_on(full, is_required);
+    list += fmt::format("- `{}{}`{}: {}\n", prefix, key,
+                        remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; ")),
+                        text_at(full, "description"));
     if (reference.empty() && full.contains("then") && full["then"].contains("properties")) {
-      rows += property_rows(definitions, full["then"], {}, prefix + key + ".");
+      list += property_list(definitions, full["then"], {}, prefix + key + ".");
     }
   }
-  return rows;
+  return list;
 }
 
-/// The table of a section of the schema: its properties, then its parameters.
-std::string section_table(std::string_view section) {
+/// Lists the settings of a section of the schema: its properties, then its parameters.
+std::string section_list(std::string_view section) {
   const std::string_view group =
       section == "segmentation_experiment" || !section.ends_with("_experiment") ? section : "experiment";
   const std::vector<ParameterGroup> groups = section_groups();
@@ -75,37 +83,35 @@ std::string section_table(std::string_view section) {
       found == groups.end() ? std::span<const Parameter>{} : found->parameters;
   const OrderedJson definitions = schema_definitions();
   const OrderedJson& schema = definitions.at(std::string(section));
-  const std::string head = markdown_table({});
-  return head + property_rows(definitions, schema.contains("properties") ? schema : schema.at("then"), parameters) +
-         markdown_table(parameters).substr(head.size());
+  return property_list(definitions, schema.contains("properties") ? schema : schema.at("then"), parameters) +
+         markdown_list(parameters);
 }
 
-/// The table without the rows that `known` has, followed by a sentence that names their keys.
-std::string without_known_rows(std::string_view table, std::string_view known, std::string_view where) {
-  std::string rows;
+/// The list without the items that `known` has, followed by a sentence that names their keys.
+std::string without_known_items(std::string_view list, std::string_view known, std::string_view where) {
+  std::string items;
   std::vector<std::string_view> keys;
-  for (const std::string_view line : split_lines(table)) {
-    const bool is_row = line.starts_with("| `") || line.starts_with("- `");
-    if (is_row && known.find(line) != std::string_view::npos) {
+  for (const std::string_view line : split_lines(list)) {
+    if (line.starts_with("- `") && known.find(line) != std::string_view::npos) {
       keys.push_back(line.substr(2, line.find('`', 3) - 1));
     } else {
-      rows += fmt::format("{}\n", line);
+      items += fmt::format("{}\n", line);
     }
   }
-  if (keys.empty()) return std::string(table);
-  return fmt::format("{}{}{}: {}.\n", rows, rows.ends_with("\n\n") ? "" : "\n", where, fmt::join(keys, ", "));
+  if (keys.empty()) return std::string(list);
+  return fmt::format("{}{}{}: {}.\n", items, items.ends_with("\n\n") ? "" : "\n", where, fmt::join(keys, ", "));
 }
 
 /// - `key`: the setting that names the group.
-std::string reference_table(const ParameterGroup& group, std::string_view key) {
-  if (group.description.empty()) return markdown_table(group.parameters);
+std::string reference_list(const ParameterGroup& group, std::string_view key) {
+  if (group.description.empty()) return markdown_list(group.parameters);
   std::string text = fmt::format("`\"{}\": \"{}\"`. {}\n", key, group.name, group.description);
   if (!group.parameters.empty()) text += "\n" + markdown_list(group.parameters);
   if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_list(group.axis_parameters);
   return text;
 }
 
-std::string reference_tables(std::string_view name) {
+std::string reference_lists(std::string_view name) {
   const std::map<std::string_view, std::vector<ParameterGroup>> lists{{"fields", field_groups()},
                                                                       {"perturbations", perturbation_groups()},
                                                                       {"descriptors", descriptor_groups()},
@@ -113,33 +119,33 @@ std::string reference_tables(std::string_view name) {
   const auto list = lists.find(name);
   if (list == lists.end()) {
     const bool is_other_kind = name == "comparison_experiment" || name == "segmentation_experiment";
-    return is_other_kind ? without_known_rows(section_table(name), section_table("retrieval_experiment"),
-                                              "As in a retrieval experiment")
-                         : section_table(name);
+    return is_other_kind ? without_known_items(section_list(name), section_list("retrieval_experiment"),
+                                               "As in a retrieval experiment")
+                         : section_list(name);
   }
-  std::string tables;
+  std::string text;
   for (const ParameterGroup& group : list->second) {
-    if (!tables.empty()) tables += '\n';
-    tables += without_known_rows(reference_table(group, name == "rerank" ? "method" : "type"), tables, "As above");
+    if (!text.empty()) text += '\n';
+    text += without_known_items(reference_list(group, name == "rerank" ? "method" : "type"), text, "As above");
   }
-  return tables;
+  return text;
 }
 
 }  // namespace
 
-std::string with_reference_tables(std::string_view page) {
-  constexpr std::string_view opening = "<!-- table: ";
+std::string with_reference_lists(std::string_view page) {
+  constexpr std::string_view opening = "<!-- list: ";
   constexpr std::string_view closing = " -->\n";
   constexpr std::string_view ending = "<!-- end -->\n";
   std::string filled;
   for (auto begin = page.find(opening); begin != std::string_view::npos; begin = page.find(opening)) {
     const std::size_t name = begin + opening.size();
-    const std::size_t table = page.find(closing, name) + closing.size();
-    filled += page.substr(0, table);
+    const std::size_t content = page.find(closing, name) + closing.size();
+    filled += page.substr(0, content);
     filled += '\n';
-    filled += reference_tables(page.substr(name, table - closing.size() - name));
+    filled += reference_lists(page.substr(name, content - closing.size() - name));
     filled += '\n';
-    page.remove_prefix(page.find(ending, table));
+    page.remove_prefix(page.find(ending, content));
   }
   return filled.append(page);
 }
