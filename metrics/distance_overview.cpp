@@ -114,8 +114,9 @@ void accumulate(const DistanceTable& rows, Eigen::Index first, OverviewAccumulat
     if (overview.block > 1) return;
     const std::int32_t row = seen.positions[static_cast<std::size_t>(model)];
     for (Eigen::Index other = 0; other < rows.cols(); ++other) {
-      const double entry = other == model ? 0 : rows(i, other);
-      overview.cells(row, seen.positions[static_cast<std::size_t>(other)]) = std::isfinite(entry) ? entry : no_distance;
+      double& cell = overview.cells(row, seen.positions[static_cast<std::size_t>(other)]);
+      cell = other == model ? 0 : rows(i, other);
+      if (!std::isfinite(cell)) cell = no_distance;
     }
   });
   if (overview.block == 1) return;

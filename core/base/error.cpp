@@ -17,6 +17,7 @@ bool is_control(std::string_view character) {
 
 /// Returns true for a UTF-8 character that changes the direction of text: U+061C, U+200E to U+200F, U+202A to U+202E
 /// and U+2066 to U+2069.
+// NOLINTBEGIN(misc-misleading-bidirectional): the characters are escaped
 bool changes_direction(std::string_view character) {
   const auto is_from_to = [&](std::string_view first, std::string_view last) {
     return character.size() == first.size() && character >= first && character <= last;
@@ -24,6 +25,7 @@ bool changes_direction(std::string_view character) {
   return character == "\u061C" || is_from_to("\u200E", "\u200F") || is_from_to("\u202A", "\u202E") ||
          is_from_to("\u2066", "\u2069");
 }
+// NOLINTEND(misc-misleading-bidirectional)
 
 }  // namespace
 

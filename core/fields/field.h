@@ -68,7 +68,7 @@ struct SamplePlan {
   SampleSite site = SampleSite::faces;  ///< faces, vertices or points of the surface
   Eigen::Index count = 0;               ///< number of points of the surface; unused for faces and vertices
 
-  auto operator<=>(const SamplePlan&) const = default;
+  auto operator<=>(const SamplePlan&) const = default;  // NOLINT(modernize-use-nullptr): reported for what is generated
 };
 
 /// Samples a shape according to the plan (sample_shape(), sample_surface()).

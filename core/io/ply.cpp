@@ -244,7 +244,7 @@ void append_doubles(std::string& bytes, const Eigen::RowVector3d& vector) {
 void write(const std::filesystem::path& path, const Shape& shape, const SampleProperties* samples) {
   require_writable(path, shape);
   std::string bytes = header_of(shape, samples);
-  const bool at_vertices = samples && samples->site == SampleSite::vertices;
+  const bool at_vertices = samples != nullptr && samples->site == SampleSite::vertices;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
     append_doubles(bytes, shape.vertices.row(i));
     if (has_cloud_normals(shape)) append_doubles(bytes, shape.normals.row(i));

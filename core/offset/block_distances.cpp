@@ -104,7 +104,8 @@ std::uint64_t nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f
   alignas(64) std::array<float, 16> cell_y;
   for (std::size_t i = 0; i < 16; ++i) {
     cell_x[i] = first.x() + static_cast<float>(i % 4);
-    cell_y[i] = first.y() + static_cast<float>(i / 4);
+    const std::size_t row = i / 4;
+    cell_y[i] = first.y() + static_cast<float>(row);
   }
   const std::size_t n = points.count;
   std::uint64_t free = 0;

@@ -274,7 +274,7 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
     : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
   std::vector<std::uint8_t> near_surface(grid.block_count());
   for (std::size_t i = 0; i < near_surface.size(); ++i)
-    near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
+    near_surface[i] = surface.points.first[i] != surface.points.first[i + 1] ? 1 : 0;
   dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
   Flood(*this, near_surface).run(band, parallel);
   classify_diagonal_neighbours(near_surface, band, parallel);

@@ -157,11 +157,12 @@ double edge_of_regions(const GridSurface& surface) {
   const double max_points = surface.squared_margin == 0 ? 130 : 65;
   constexpr double block_area = 1.25 * block_edge * block_edge;  // of a surface in a block, in the mean
   const double density = surface.points_per_block / block_area;
-  double edge = block_edge;
-  for (; edge > 0.5; edge /= 2) {
+  const auto has_too_many_points = [&](double edge) {
     const double whole = edge + 2 * ClosestTriangles::reach;
-    if (density * whole * whole <= max_points) break;
-  }
+    return density * whole * whole > max_points;
+  };
+  double edge = block_edge;
+  while (edge > 0.5 && has_too_many_points(edge)) edge /= 2;
   return edge;
 }
 

@@ -103,8 +103,8 @@ HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, co
   const Lanes along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, dot(ab, ac)));
   const Lanes t = clamp(hn::Mul(along_bc, field[15]));
   consider(rest(hn::Sub(one, t), t), all);
-  const Lanes v = dot<Lanes>(a, {field[9], field[10], field[11]});
-  const Lanes w = dot<Lanes>(a, {field[12], field[13], field[14]});
+  const auto v = dot<Lanes>(a, {field[9], field[10], field[11]});
+  const auto w = dot<Lanes>(a, {field[12], field[13], field[14]});
   consider(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
   return {shortest, squared};
 }

@@ -116,7 +116,7 @@ class DistanceGrid {
   [[nodiscard]] double radius_across(std::int32_t node, std::size_t axis) const {
     Eigen::Vector3d best = position(node);
     double radius = distance(node);
-    for (double step = cell_ / 2; step > cell_ / 20; step /= 2) {
+    for (const double step : {cell_ / 2, cell_ / 4, cell_ / 8, cell_ / 16}) {
       for (const double side : {-step, step, -step, step}) {
         for (const std::size_t across : {(axis + 1) % 3, (axis + 2) % 3}) {
           const Eigen::Vector3d moved = best + side * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(across));

@@ -68,7 +68,8 @@ class ConeSearch {
 
   void visit_child(std::int32_t child) {
     if (child >= 0) return visit(nodes_[static_cast<std::size_t>(child)]);
-    visit_leaf(leaves_[static_cast<std::size_t>(~child)]);
+    const std::int32_t leaf = ~child;
+    visit_leaf(leaves_[static_cast<std::size_t>(leaf)]);
   }
 
   /// Visits the triangles of a leaf, the nearest to the ball's centre first.

@@ -201,6 +201,7 @@ void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
     }
   }
   constexpr float rounding = 1e-6F;
+  // NOLINTBEGIN(readability-implicit-bool-conversion): & instead of &&, for a loop of vectors
   for (std::size_t i = 0; i < children_per_node; ++i) {
     const float reach = along[i] * query.sine + node.half_height[i] + node.radius[i] + rounding;
     const float off_axis2 = from_apex2[i] - along[i] * along[i];
@@ -211,6 +212,7 @@ void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
     const bool is_candidate = in_cone & in_slab & in_ball & faces_axis;
     squared_distances[i] = is_candidate ? to_apex2[i] : std::numeric_limits<float>::infinity();
   }
+  // NOLINTEND(readability-implicit-bool-conversion)
 }
 
 /// The loops over the triangles are vectorised by the compiler.

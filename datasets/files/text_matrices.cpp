@@ -127,7 +127,9 @@ bool lacks_diagonal(const CsvRow& first) {
   if (first.cells.size() < 2 || !is_missing(first.cells.front())) return false;
   const auto others = std::span(first.cells).subspan(1);
   if (!std::ranges::all_of(others, is_number)) return false;
-  const auto is_whole = [](const std::string& cell) { return cell.find_first_not_of("0123456789") == cell.npos; };
+  const auto is_whole = [](const std::string& cell) {
+    return cell.find_first_not_of("0123456789") == std::string::npos;
+  };
   return !std::ranges::all_of(others, is_whole) || std::set(others.begin(), others.end()).size() < others.size();
 }
 

@@ -99,7 +99,7 @@ class Cache {
     const std::optional<std::string> bytes = read(kind, key);
     if (!bytes) return std::nullopt;
     try {
-      Value value = decode<Value>(*bytes);
+      auto value = decode<Value>(*bytes);
       count(kind, true);
       return value;
     } catch (const DamagedBytes&) {

@@ -73,6 +73,16 @@ bool all_have_intervals(std::span<const NamedEvaluation> evaluations) {
   return std::ranges::none_of(evaluations, [](const NamedEvaluation& named) { return named.intervals.micro.empty(); });
 }
 
+/// Returns the words and scores of an average in a row of summary_table(). With `show_failed`, the number of models
+/// that failed follows the method.
+Row row_of_average(const NamedEvaluation& named, bool micro, bool show_failed, const ScoreStyle& style) {
+  Row row{named.method};
+  if (show_failed) row.push_back(std::to_string(named.failed));
+  row.insert(row.end(), {name_of(named.evaluation->protocol), micro ? "micro" : "macro"});
+  append_scores(row, micro ? named.evaluation->micro : named.evaluation->macro, style);
+  return row;
+}
+
 }  // namespace
 
 std::string score_text(double fraction, const ScoreStyle& style) {
@@ -102,12 +112,8 @@ TextTable summary_table(std::span<const NamedEvaluation> evaluations, const Scor
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
   if (columns && !evaluations.empty()) add_columns(table.header, evaluations.front().evaluation->measures);
   for (const NamedEvaluation& named : evaluations) {
-    const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {
-      Row row{named.method};
-      if (any_failed) row.push_back(std::to_string(named.failed));
-      row.insert(row.end(), {name_of(evaluation.protocol), micro ? "micro" : "macro"});
-      append_scores(row, micro ? evaluation.micro : evaluation.macro, style);
+      Row row = row_of_average(named, micro, any_failed, style);
       const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
       if (columns) add_columns(row, of_average, style);
       if (intervals == IntervalCells::in_cells) append_to_cells(row, text_columns, of_average, style);

@@ -100,7 +100,7 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
     const SignatureConfiguration& signature = signatures[i];
     if (!signature.field && !signature.descriptor) {
       std::vector<Signatures> parts;
-      for (const std::size_t part : signature.parts) parts.push_back(tables[part](indices[i], Eigen::all));
+      for (const std::size_t part : signature.parts) parts.emplace_back(tables[part](indices[i], Eigen::all));
       return concatenate(parts);
     }
     std::vector<const ModelDescription*> with;
