@@ -275,6 +275,8 @@ TEST_F(EvaluateCommand, ReportsIncompleteRankedLists) {
     EXPECT_NEAR(of_zero["micro"][measure].get<double>() * 7, of_skipped["micro"][measure].get<double>() * 4, 1e-12);
   }
   EXPECT_EQ(evaluate("-c").output, zero.output);
+  EXPECT_THAT(evaluate("-c --missing-queries zero").errors, HasSubstr("--missing-queries excludes --all-queries"));
+  EXPECT_THAT(run_executable("evaluate --help").output, testing::Not(HasSubstr("--all-queries"))) << "an older name";
   for (const char* option : {"-c", "--missing-queries zero"}) {
     EXPECT_THAT(evaluate_toy(option).errors, HasSubstr("--missing-queries zero applies to ranked lists only"));
   }
