@@ -64,7 +64,7 @@ void add_audit_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<AuditArguments>();
   command
       ->add_option("matrices", arguments->matrices,
-                   "Files of distances, features or ranked lists for the same queries, one file per method")
+                   "Distances, features or ranked lists for the same queries, one file per method")
       ->required();
   add_file_options(*command, arguments->evaluation);
   add_threads_option(*command, arguments->evaluation.threads);

@@ -126,19 +126,20 @@ void add_check_command(CLI::App& app, int& status) {
   add_unit_option(*command, arguments->unit);
   begin_option_group(*command, "Limits");
   command
-      ->add_option("--min-wall", arguments->min_wall,
-                   "Minimum thickness of walls, such as 1.2 (file units) or 1.2mm (requires --unit); required without "
-                   "--min-gap")
+      ->add_option(
+          "--min-wall", arguments->min_wall,
+          "Minimum wall thickness, such as 1.2 (file units) or 1.2mm (requires --unit); required without --min-gap")
       ->type_name("LENGTH");
   command
-      ->add_option("--min-gap", arguments->min_gap,
-                   "Minimum width of gaps, such as 0.5 (file units) or 0.5mm (requires --unit); required without "
-                   "--min-wall")
+      ->add_option(
+          "--min-gap", arguments->min_gap,
+          "Minimum gap width, such as 0.5 (file units) or 0.5mm (requires --unit); required without --min-wall")
       ->type_name("LENGTH");
   command
-      ->add_option("--min-area", arguments->min_area,
-                   "Minimum area of listed regions, in squared file units, at least the smaller of (limit / 8)² and 1 "
-                   "% of the surface; smaller regions are only counted")
+      ->add_option(
+          "--min-area", arguments->min_area,
+          "Minimum area of listed regions, in squared file units, raised to min(limit²/64, 1 % of the surface) "
+          "if less; smaller regions are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);
@@ -148,8 +149,8 @@ void add_check_command(CLI::App& app, int& status) {
   add_shape_outputs(*command, arguments->files, "")
       ->required(false)
       ->description(
-          "Output file: .html (page), .png (picture), or .ply, .csv or .npy (fraction of the limit per triangle of the "
-          "divided surface); a folder for several inputs");
+          "Output file: .html (page), .png, or .ply, .csv or .npy (thickness or gap width divided by its "
+          "limit, per triangle of the subdivided mesh); folder for several inputs");
   add_up_option(*command, arguments->up);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))

@@ -303,34 +303,30 @@ int run(const CompareArguments& arguments) {
 
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
-  command
-      .add_option("--test", arguments.test,
-                  "Significance test of the difference between two methods: randomisation, paired t-test (t) or "
-                  "bootstrap")
+  command.add_option("--test", arguments.test, "Paired significance test: randomisation, t-test (t) or bootstrap")
       ->check(one_of(list_of_words<PairTest>()))
       ->capture_default_str()
       ->transform([](const std::string& name) { return name == "randomization" ? "randomisation" : name; });  // older
   command
-      .add_option("--average", arguments.average,
-                  "Average of the scores: over queries (micro), or over the means of classes (macro)")
+      .add_option("--average", arguments.average, "Average of scores over queries (micro) or over class means (macro)")
       ->check(one_of(list_of_words<Average>()))
       ->capture_default_str();
   command.add_option("--reference", arguments.reference,
-                     "Name of the method to compare with every other one (default: compare all pairs)");
+                     "Name of the method to compare with the others (default: compare all pairs)");
   command
       .add_option("--names", arguments.names,
-                  "Names of the methods in the order of the inputs, such as ours,theirs (default: from the inputs)")
+                  "Method names in input order, such as ours,theirs (default: from the inputs)")
       ->delimiter(',');
   begin_option_group(command, output_options);
-  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  command.add_option("--plot", arguments.plot, "File for a precision-recall chart: .svg, .pdf or .png");
   command.add_option("--plot-scores", arguments.score_plot,
-                     "File for a chart of the average scores with confidence intervals: .svg, .pdf or .png");
-  command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves of all methods");
-  command.add_option("--report", arguments.report, "HTML file for a report on all methods; requires distance matrices");
+                     "File for a chart of average scores with confidence intervals: .svg, .pdf or .png");
+  command.add_option("--pr", arguments.curves, "CSV file for precision-recall curves of all methods");
+  command.add_option("--report", arguments.report,
+                     "HTML report with scores and curves; requires square distance matrices and --labels");
   add_replace_option(command, arguments.replace);
-  add_score_format_options(
-      command, arguments.printed,
-      "Format of the printed result; csv: one row per measure and pair of methods; latex: one row per method");
+  add_score_format_options(command, arguments.printed,
+                           "Format of the printed result; csv: differences of pairs only; latex: scores only");
 }
 
 }  // namespace
@@ -344,7 +340,7 @@ void add_compare_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<CompareArguments>();
   command
       ->add_option("inputs", arguments->inputs,
-                   "Folders of runs, tables of 'evaluate --per-query' or, with --labels or --qrels, distances, "
+                   "Result folders of 'run' or tables of 'evaluate --per-query'; with --labels or --qrels: distances, "
                    "features or ranked lists")
       ->required();
   add_evaluation_options(*command, arguments->evaluation);

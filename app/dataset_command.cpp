@@ -66,8 +66,9 @@ DatasetLocation location_of_all(const LookArguments& arguments) {
   if (arguments.layout.empty()) return recognise_dataset(arguments.folder, arguments.classification);
   DatasetLocation location{
       .layout = arguments.layout, .root = arguments.folder, .classification = arguments.classification};
-  const std::string_view usual = dataset_layouts().at(arguments.layout).usual_classification;
-  if (location.classification.empty() && !usual.empty()) location.classification = arguments.folder / usual;
+  const std::string_view classification = dataset_layouts().at(arguments.layout).default_classification;
+  if (location.classification.empty() && !classification.empty())
+    location.classification = arguments.folder / classification;
   return location;
 }
 
@@ -185,15 +186,14 @@ std::vector<std::string> layout_names() {
 std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   auto arguments = std::make_shared<LookArguments>();
   command->add_option("folder", arguments->folder, "Folder of the data set")->required();
-  command->add_option(
-      "--classification", arguments->classification,
-      "Classification file (.cla or CSV) of the data set (default: that of the layout, such as test.cla)");
+  command->add_option("--classification", arguments->classification,
+                      "File of classes, .cla or CSV (default: the layout's, such as test.cla)");
   command
       ->add_option("--layout", arguments->layout,
-                   "Layout (default: detected). folders: one folder per class; tree: nested folders; csv: table; "
-                   "named: files such as cat0.off; others: published benchmarks")
+                   "Layout of the data set (default: detected). folders: one per class; tree: nested folders; csv: "
+                   "table id,path,class; named: class in file names (cat0.off); others: benchmarks")
       ->check(one_of(layout_names()));
-  command->add_option("--split", arguments->split, "Split whose models are used, for the layouts shapenet and folders")
+  command->add_option("--split", arguments->split, "Split to use; layouts shapenet and folders only")
       ->check(one_of(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
       ->capture_default_str();
   return arguments;
@@ -208,7 +208,7 @@ void add_generate(CLI::App* dataset, int& status) {
   for (const Parameter& parameter : generator_parameters()) {
     add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
   }
-  command->add_flag("--replace", arguments->replace, "Overwrite a data set in the folder");
+  command->add_flag("--replace", arguments->replace, "Delete a data set in the folder and generate a new one");
   command->add_flag("--force", arguments->replace)->group(hidden_options);  // the older name
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
@@ -232,7 +232,7 @@ void add_dataset_command(CLI::App& app, int& status) {
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);
   add_part_option(*validate_command, validate_arguments->part,
-                  "Read only share K of N (such as 1/4) of the models; auto: K and N from Slurm or mpirun");
+                  "Process only share K of N of the models (such as 1/4); auto: K and N from Slurm or mpirun");
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
 
   CLI::App* labels_command =
@@ -240,8 +240,7 @@ void add_dataset_command(CLI::App& app, int& status) {
   labels_command->footer("Example: shapegauge dataset labels shapenet --split test -o test.csv");
   const auto labels_arguments = std::make_shared<LabelsArguments>();
   labels_arguments->dataset = add_look_arguments(labels_command);
-  labels_command->add_option("-o,--output", labels_arguments->output,
-                             "CSV file for the table (default: standard output)");
+  labels_command->add_option("-o,--output", labels_arguments->output, "CSV file (default: standard output)");
   add_replace_option(*labels_command, labels_arguments->replace);
   labels_command->callback([labels_arguments, &status] { status = print_labels(*labels_arguments); });
 

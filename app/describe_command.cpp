@@ -185,16 +185,15 @@ void add_describe_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   command->get_option("input")->required(false);
   begin_option_group(*command, "Descriptor");
-  command->add_option("--descriptor", arguments->descriptor,
-                      "Descriptor to compute (required); --list prints the names");
+  command->add_option("--descriptor", arguments->descriptor, "Shape descriptor to compute (required); see --list");
   command->add_option("--set", arguments->settings,
-                      "Setting of the descriptor: key=value as in a configuration; --list prints the keys; repeatable");
+                      "Descriptor setting: key=value; --list prints the keys; repeatable");
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file (required): .npy, or .csv (with ids)");
   add_replace_option(*command, arguments->files.replace);
   add_cleaning_options(*command, arguments->cleaning);
   begin_option_group(*command, "Descriptor");
-  command->add_flag("--list", arguments->list, "List the descriptors and their settings, and exit");
+  command->add_flag("--list", arguments->list, "List descriptors and their settings, then exit");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

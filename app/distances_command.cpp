@@ -52,7 +52,7 @@ void add_distances_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<DistancesArguments>();
   command
       ->add_option("features", arguments->features,
-                   fmt::format("Features, one row per model: {}; .npy and text also compressed (.gz)",
+                   fmt::format("Features, one row per model: {}; .npy and text may be compressed (.gz)",
                                fmt::join(matrix_extensions(), ", ")))
       ->required();
   begin_option_group(*command, output_options);
@@ -60,8 +60,10 @@ void add_distances_command(CLI::App& app, int& status) {
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
   command
-      ->add_option("--distance", arguments->distance,
-                   "Distance between rows of features; a descriptor's name selects its own distance")
+      ->add_option(
+          "--distance", arguments->distance,
+          "Distance between rows of features, required to read features; a descriptor's name, such as d2, selects "
+          "its own distance")
       ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

@@ -318,17 +318,16 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
   begin_option_group(command, output_options);
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   command.add_option("--pr", arguments.curve,
-                     "File for the precision-recall curve: .csv, or .plot (two columns, as Princeton's psbPlot "
-                     "writes)");
-  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the precision-recall curve of each class");
+                     "File for the precision-recall curve: .csv, or .plot (format of Princeton's psbPlot)");
+  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for precision-recall curves per class");
   command
-      .add_option("--curve", arguments.evaluation.curve,
-                  "Interpolation of precision-recall curves between hits. psb: linear; paper: previous hit; trec, "
-                  "trec_eval: best later hit; raw: none (default: that of the protocol)")
+      .add_option(
+          "--curve", arguments.evaluation.curve,
+          "Interpolation of precision-recall curves between hits. psb: linear; paper: previous hit; trec: best "
+          "later hit; trec_eval: like trec, with recall rounded to whole hits; raw: none (default: the protocol's)")
       ->check(one_of(list_of_words<CurveKind>()));
-  command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
-  command.add_flag("--each-query", arguments.each_query,
-                   "Print the scores of each query before the averages, as trec_eval -q");
+  command.add_option("--per-query", arguments.per_query, "CSV file for scores per query, for 'compare'");
+  command.add_flag("--each-query", arguments.each_query, "Also print the scores of each query, as trec_eval -q");
   command
       .add_flag_callback("-q",
                          [] {
@@ -337,11 +336,12 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
                                "--quiet for no messages except warnings and errors");
                          })
       ->group(hidden_options);  // not in the help
-  command.add_option("--per-class", arguments.per_class, "CSV file for the scores of each class");
-  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  command.add_option("--per-class", arguments.per_class, "CSV file for scores per class");
+  command.add_option("--plot", arguments.plot, "File for a precision-recall chart: .svg, .pdf or .png");
   command.add_option("--plot-classes", arguments.class_plot,
-                     "File for a chart of the first measure for each class: .svg, .pdf or .png");
-  command.add_option("--report", arguments.report, "HTML file for a report with scores and curves");
+                     "File for a per-class chart of the first printed measure: .svg, .pdf or .png");
+  command.add_option("--report", arguments.report,
+                     "HTML report with scores and curves; requires square distance matrices");
   add_replace_option(command, arguments.replace);
 }
 
@@ -357,15 +357,17 @@ void add_evaluate_command(CLI::App& app, int& status) {
       "measures.");
   const auto arguments = std::make_shared<EvaluateCommandArguments>();
   command
-      ->add_option("distances", arguments->distances,
-                   fmt::format("Distances or features ({}) or ranked lists ({}, .txt); .npy and text also compressed "
-                               "(.gz); the folder of a run, for all its methods; - for standard input",
-                               fmt::join(matrix_extensions(), ", "), fmt::join(ranked_answers_extensions, ", ")))
+      ->add_option(
+          "distances", arguments->distances,
+          fmt::format(
+              "Distances or features ({}) or ranked lists ({}, .txt); .npy and text may be compressed (.gz); a result "
+              "folder of 'run' (all its methods); - for standard input",
+              fmt::join(matrix_extensions(), ", "), fmt::join(ranked_answers_extensions, ", ")))
       ->required();
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
-                   "Format of standard input, as a file extension (default: detected from the contents, otherwise csv)")
+                   "Format of standard input, as a file extension (default: detected, otherwise csv)")
       ->check(one_of(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);

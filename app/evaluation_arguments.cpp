@@ -18,32 +18,33 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
   begin_option_group(command, input_options);
   command.add_option("--labels", files.labels,
-                     "Classes of the models: a .cla file, a table (id,class), a list (one class per line, or .npy), or "
-                     "a folder with one folder per class");
-  command.add_option(
-      "--targets", files.targets,
-      "File with the classes of the targets (columns), if these differ from the queries (rows) of --labels");
+                     "Classes of the models: .cla file, table (id,class), list (one class per line, or .npy) or folder "
+                     "with one subfolder per class");
+  command.add_option("--targets", files.targets,
+                     "Classes of the targets (columns), as --labels; --labels then has the queries (rows) only");
   command.add_flag("--shared-ids", files.shared_ids,
-                   "Treat a query and a target with equal ids as one model, removed from its own list");
-  command.add_option("--qrels", files.qrels, "File of TREC relevance judgements (qrels), instead of --labels");
+                   "Treat equal ids in --labels and --targets as one model, removed from its own list");
+  command.add_option("--qrels", files.qrels, "File of TREC relevance judgements, instead of --labels");
   command
       .add_option("--level", files.level,
                   "Level of the .cla hierarchy to evaluate. 1: roots; 2: their children; 0: the models' own classes")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--variable", files.variable, "Name of the array in an .npz or .mat file (default: its only one)");
-  command.add_option("--ids", files.ids, "File with the model ids of the rows, one per line, for a matrix without ids");
+  command.add_option("--variable", files.variable, "Array name in .npz and .mat files (default: the only array)");
+  command.add_option("--ids", files.ids, "File of model ids, one line per row of a matrix without ids");
   command
       .add_option("--order", arguments.order,
-                  "Order of the models in the rows of a matrix without ids. natural: by id, 2 before 10; file: as in "
-                  "the --labels file (default: file if it has one class per line, otherwise natural)")
+                  "Order of the models in a matrix without ids. natural: by id, 2 before 10; file: as in --labels "
+                  "(default: natural; file if --labels is a list)")
       ->check(one_of({"natural", "file"}))
       ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
-  CLI::Option* similarity =
-      command.add_flag("--similarity", files.similarity, "Read the matrix as similarities: larger is more similar");
+  CLI::Option* similarity = command.add_flag("--similarity", files.similarity,
+                                             "Read similarities instead of distances: larger is more similar");
   command
-      .add_option("--distance", files.distance,
-                  "Distance between rows of features; a descriptor's name selects its own distance")
+      .add_option(
+          "--distance", files.distance,
+          "Distance between rows of features, required to read features; a descriptor's name, such as d2, selects "
+          "its own distance")
       ->check(one_of(feature_distance_names()))
       ->excludes(similarity);
 }
@@ -55,19 +56,19 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
   begin_option_group(command, "Evaluation");
   CLI::Option* evaluator =
       command
-          .add_option(
-              "--evaluator", arguments.evaluator,
-              "Evaluation program to reproduce, with its protocol and measures; 'shapegauge measures' describes them")
+          .add_option("--evaluator", arguments.evaluator,
+                      "Evaluation program to reproduce, with its protocol and measures; see 'shapegauge measures'")
           ->check(one_of(evaluator_names()));
   command
-      .add_option("--protocol", arguments.protocol,
-                  "Protocol. psb: the query is removed from its own list; paper: it counts as the first hit; trec: "
-                  "like psb, with measures of text retrieval (default: psb, or trec with --qrels)")
+      .add_option(
+          "--protocol", arguments.protocol,
+          "Evaluation protocol. psb: the query is removed from its list; paper: the query is the first hit; trec: "
+          "like psb, with text-retrieval measures (default: psb; trec with --qrels)")
       ->check(one_of(list_of_words<Protocol>()))
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
-                                         "Queries without a ranked list are omitted (skip) or score 0 (zero)")
+                                         "Queries without a ranked list: omit (skip) or score 0 (zero)")
                              ->check(one_of(missing_queries))
                              ->capture_default_str();
   command
@@ -78,20 +79,19 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       ->group(hidden_options);
   command
       .add_option("--ties", arguments.ties,
-                  "Order of models at equal distance: by index; relevant first (optimistic) or last (pessimistic); "
-                  "mean over all orders (expected)")
+                  "Order of models at equal distance. index: lower index first; optimistic: relevant first; "
+                  "pessimistic: relevant last; expected: mean over all orders")
       ->check(one_of(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
   command
       .add_option("--measures", arguments.measures,
-                  "Measures to compute, such as NN,FT,P@10; 'shapegauge measures' lists them (default: those of the "
-                  "protocol)")
+                  "Measures to compute, such as NN,FT,P@10; see 'shapegauge measures' (default: the protocol's)")
       ->delimiter(',')
       ->excludes(evaluator);
   command
       .add_option("--min-class-size", arguments.minimum_class_size,
-                  "Minimum number of models in the class of a query, the query included; other queries are omitted")
+                  "Minimum class size, query included; queries of smaller classes are omitted")
       ->check(within<int>(parameter_named("minimum_class_size", evaluation_table).bounds))
       ->capture_default_str()
       ->excludes(evaluator);
@@ -109,40 +109,39 @@ std::vector<std::string> used_options(const CLI::App& command, std::span<const s
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
   add_format_option(command, arguments.format, description);
   command.add_flag("--fractions", arguments.fractions,
-                   "Print scores as fractions from 0 to 1 instead of percent; JSON always has fractions");
+                   "Print scores as fractions instead of percent; json always has fractions");
   const auto set_unit = [&arguments](const std::string& unit) { arguments.fractions = unit == "fraction"; };
   command.add_option_function<std::string>("--unit", set_unit)
       ->check(one_of({"percent", "fraction"}))
       ->group(hidden_options);
   command
       .add_option("--digits", arguments.digits,
-                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more with --fractions)")
+                  "Decimal places in tables (default: 2, or 4 for csv; 2 more with --fractions)")
       ->check(CLI::Range(0, 15));
 }
 
 ScoreStyle style_of(const ScoreFormat& arguments) {
   const bool percent = !arguments.fractions;
-  const int usual = (arguments.format == "csv" ? 4 : 2) + (percent ? 0 : 2);
-  return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
+  const int default_decimals = (arguments.format == "csv" ? 4 : 2) + (percent ? 0 : 2);
+  return {.percent = percent, .decimals = arguments.digits.value_or(default_decimals)};
 }
 
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
   command
       .add_option("--confidence", arguments.confidence,
-                  "Confidence level of intervals, and 1 - significance level of tests (default: 0.95; evaluate prints "
-                  "intervals only with this option)")
+                  "Confidence level of intervals, and 1 - significance level of tests (default: 0.95; for evaluate, no "
+                  "intervals)")
       ->check(within<double>(confidence_bounds));
   command
       .add_option("--blocks", arguments.blocks,
-                  "Unit of resampling: queries (results hold for other queries of these classes) or classes (also for "
-                  "other classes)")
+                  "Unit of resampling. queries: results generalise to new queries of these classes; classes: also to "
+                  "new classes")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command
       .add_option("--resamples", arguments.resampling.resamples,
-                  "Number of random resamples for confidence intervals and significance tests; more resamples are more "
-                  "precise, but slower")
+                  "Number of resamples for confidence intervals and tests; a larger number is more precise, but slower")
       ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
       ->capture_default_str();
   add_seed_option(command, arguments.resampling.seed);

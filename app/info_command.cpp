@@ -181,7 +181,7 @@ void add_info_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<InfoArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
-  command->add_option("--format", arguments->format, "Format of the report; lengths and areas are in the file's units")
+  command->add_option("--format", arguments->format, "Format of the report; lengths and areas in file units")
       ->check(one_of({"text", "json"}))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -199,12 +199,12 @@ int run_leaderboard(LeaderboardArguments arguments) {
 void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments) {
   begin_option_group(command, output_options);
   command.add_option("-o,--output", arguments.output,
-                     "Output: a page (.html), or a folder for a site with one page per method");
-  command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
+                     "Output page (.html), or folder for a site with one page per method");
+  command.add_option("--title", arguments.title, "Page title")->capture_default_str();
   command.add_option("--rank-by", arguments.rank_by,
-                     "Measure that determines the ranks (default: mAP if computed, otherwise the first measure)");
+                     "Measure to rank by (default: mAP if computed, otherwise the first measure)");
   command.add_flag("--hide-classes", arguments.hide_classes,
-                   "Keep classes secret in a running challenge: omit scores per class and pages of methods");
+                   "Omit scores per class and pages of methods, to keep classes secret");
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);
@@ -221,12 +221,13 @@ void add_leaderboard_command(CLI::App& app, int& status) {
       "... (or fold) are repetitions of foo.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command
-      ->add_option("submissions", arguments->submissions,
-                   "Files of distances, features or ranked lists, or folders of them; without --labels and --qrels, "
-                   "folders of data sets with labels.* or qrels.*")
+      ->add_option(
+          "submissions", arguments->submissions,
+          "Distances, features or ranked lists, or folders of them; without --labels and --qrels: one folder per "
+          "data set, which also contains labels.* or qrels.*")
       ->required();
   add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
-  command->get_option("--missing-queries")->description("Score of queries without a ranked list; only zero is allowed");
+  command->get_option("--missing-queries")->description("Queries without a ranked list score 0");
   add_resampling_options(*command, arguments->resampling);
   add_leaderboard_options(*command, *arguments);
   command->callback([arguments, &status] {

@@ -46,9 +46,9 @@ void add_normals_command(CLI::App& app, int& status) {
   command->footer("Example: shapegauge normals scan.xyz -o scan.ply");
   const auto arguments = std::make_shared<NormalsArguments>();
   add_shape_inputs(*command, arguments->files);
-  add_shape_outputs(*command, arguments->files,
-                    ".csv (index, nx, ny, nz, area weight), .npy, .ply (the shape with normals) or .xyz (points "
-                    "with normals)");
+  add_shape_outputs(
+      *command, arguments->files,
+      ".csv (index, nx, ny, nz, area weight), .npy, .ply (shape with normals) or .xyz (points with normals)");
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);
   add_offset_option(*command, arguments->offset);

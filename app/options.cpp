@@ -49,9 +49,7 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 }
 
 void add_site_option(CLI::App& command, std::string& site) {
-  command
-      .add_option("--at", site,
-                  "Samples of a mesh: centroids of faces, or vertices; clouds are always sampled at their points")
+  command.add_option("--at", site, "Sample points of a mesh: centroids of faces, or vertices; clouds use their points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
       ->capture_default_str();
 }
@@ -63,7 +61,7 @@ void add_up_option(CLI::App& command, std::string& up) {
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "Seed of random numbers; equal seeds give equal results")
+  command.add_option("--seed", seed, "Random seed; equal seeds give equal results")
       ->check([](const std::string& text) {  // else -1 is read as the largest number
         const std::optional<double> number = parse_number(text);
         const bool possible =
@@ -75,18 +73,15 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
-  command.add_flag("--denoise", arguments.denoise, "First smooth meshes that are clearly noisy")
-      ->group(computation_options);
+  command.add_flag("--denoise", arguments.denoise, "Smooth clearly noisy meshes first")->group(computation_options);
   command
       .add_flag("--remove-outliers", arguments.remove_outliers,
-                "First remove isolated points of clouds, as --offset auto always does")
+                "Remove isolated points of clouds first (implied by --offset auto)")
       ->group(computation_options);
 }
 
 void add_unit_option(CLI::App& command, std::string& unit) {
-  command
-      .add_option("--unit", unit,
-                  "Unit of the files' coordinates, required for lengths such as 2mm; glTF files are always in m")
+  command.add_option("--unit", unit, "Unit of file coordinates, required for lengths such as 2mm; always m for glTF")
       ->check(one_of(length_unit_names()))
       ->group(input_options);
 }
@@ -95,18 +90,18 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
   add_unit_option(command, arguments.unit);
   return command
       .add_option("--offset", arguments.offset,
-                  "Distance of the offset surface from the shape: a fraction of the bounding-box diagonal (0.03 or "
-                  "3%), a length (0.5mm; requires --unit), or auto (chosen from gaps and noise)")
+                  "Distance from shape to offset surface: fraction of the bounding-box diagonal (0.03 or 3%), length "
+                  "(0.5mm; requires --unit) or auto (chosen by gaps and noise)")
       ->capture_default_str();
 }
 
 void add_colour_options(CLI::App& command, ColourArguments& arguments) {
   command
       .add_option("--range", arguments.range,
-                  "Values at the ends of the colour map, such as 0,4 (file units) or 0.5mm,4mm (default: 2nd and 98th "
-                  "percentile, weighted by area)")
+                  "Range of the colour map, such as 0,4 (file units) or 0.5mm,4mm (default: 2nd to 98th percentile, "
+                  "weighted by area)")
       ->type_name("LOW,HIGH");
-  command.add_option("--scale", arguments.scale, "Scale of the colour map: linear or logarithmic")
+  command.add_option("--scale", arguments.scale, "Scale of the colour map")
       ->check(one_of({"linear", "log"}))
       ->capture_default_str();
   command

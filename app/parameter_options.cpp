@@ -47,14 +47,14 @@ CLI::Validator one_of(std::vector<std::string> words) {
 std::string parameter_help_text(const Parameter& parameter, bool with_default) {
   if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);
   with_default &= !parameter.required();
-  const std::string usual = with_default ? "; default: " + to_string(parameter.default_value) : "";
+  const std::string remark = with_default ? "; default: " + to_string(parameter.default_value) : "";
   // The option's type says that the value is a number.
   const std::string legal = legal_values(parameter);
   std::string_view values = legal;
   for (const std::string_view words : {"a ", "whole ", "number ", "from "}) {
     if (values.starts_with(words)) values.remove_prefix(words.size());
   }
-  return fmt::format("{} ({}{})", without_full_stop(parameter.description), values, usual);
+  return fmt::format("{} ({}{})", without_full_stop(parameter.description), values, remark);
 }
 
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& target,

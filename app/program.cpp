@@ -35,7 +35,7 @@ void add_program_options(CLI::App& app) {
   const auto quiet = app.add_flag_callback(
       "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only");
   app.add_flag_callback(
-         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Also print the run time of the command")
+         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Also print the run time")
       ->excludes(quiet);
   app.require_subcommand(1);
   app.footer(

@@ -135,7 +135,7 @@ void add_rerank_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<RerankArguments>();
   command
       ->add_option("distances", arguments->distances,
-                   fmt::format("Square matrix of distances: {}", fmt::join(matrix_extensions(), ", ")))
+                   fmt::format("Square distance matrix: {}", fmt::join(matrix_extensions(), ", ")))
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
@@ -144,13 +144,14 @@ void add_rerank_command(CLI::App& app, int& status) {
   command
       ->add_option("--method", arguments->method,
                    "Method. diffusion: random walks between neighbours; k_reciprocal: overlap of mutual neighbours; "
-                   "query_expansion: means of the nearest models' rows")
+                   "query_expansion: distances averaged over the nearest models")
       ->check(one_of(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
-  command->add_flag("--sparse", arguments->sparse,
-                    "diffusion: Always use the sparse solver, which needs less memory and writes .npy only (default: "
-                    "above 5,000 models)");
+  command->add_flag(
+      "--sparse", arguments->sparse,
+      "diffusion: Use the sparse solver, which needs less memory and writes .npy only (default for .npy above "
+      "5,000 models)");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
 }

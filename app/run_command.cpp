@@ -243,9 +243,10 @@ CLI::Option* add_cache_and_part(CLI::App& command, RunArguments& arguments, CLI:
       command.add_flag("--no-cache", arguments.cache.none, "Neither read nor write cached results")
           ->excludes("--cache")
           ->group(computation_options);
-  return add_part_option(command, arguments.part,
-                         "Compute only share K of N (K/N, such as 1/4) of the work, into the cache; auto: K and N from "
-                         "Slurm or mpirun")
+  return add_part_option(
+             command, arguments.part,
+             "Compute only share K of N of the work (such as 1/4), into the cache; auto: K and N from Slurm or "
+             "mpirun")
       ->excludes(no_cache)
       ->excludes(plot);
 }
@@ -264,33 +265,33 @@ void add_run_command(CLI::App& app, int& status) {
                                                    "Configuration file (JSON); required without --replay");
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output,
-                      "Folder for the results (default: results/NAME, where NAME is the experiment's name)");
+                      "Results folder (default: results/NAME, where NAME is the experiment's name)");
   add_threads_option(*command, arguments->threads);
   begin_option_group(*command, input_options);
   command
-      ->add_option("--set", arguments->source.overrides,
-                   "Override a value of the configuration: dotted.key=value, such as signatures[Sum].scale=ranks for "
-                   "the signature named Sum; files are relative to the working directory; repeatable")
+      ->add_option(
+          "--set", arguments->source.overrides,
+          "Override a configuration value: dotted.key=value, such as signatures[Sum].scale=ranks for signature "
+          "Sum; paths are relative to the working directory; repeatable")
       ->allow_extra_args(false);
   begin_option_group(*command, output_options);
-  CLI::Option* const plot = command->add_option("--plot", arguments->plot,
-                                                "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  CLI::Option* const plot =
+      command->add_option("--plot", arguments->plot, "File for a precision-recall chart: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace,
-                    "Overwrite the file of --plot, and results of another configuration in the folder (default: stop)");
+                    "Overwrite the --plot file, and another configuration's results in the folder (default: stop)");
   command->add_flag("--force", arguments->force,
-                    "Like --replace, and compute all results again without reading the cache");
+                    "Like --replace, and compute everything again, ignoring cached results");
   CLI::Option* const part = add_cache_and_part(*command, *arguments, plot);
   begin_option_group(*command, "Without a run");
   command->add_flag("--dry-run", arguments->dry_run, "Check the configuration, read all inputs, and exit");
   command->add_flag("--print-config", arguments->print_configuration,
                     "Print the configuration with defaults and --set applied, then exit");
   begin_option_group(*command, "Replay");
-  command
-      ->add_option("--replay", arguments->source.replay, "manifest.json of a run to repeat, instead of a configuration")
+  command->add_option("--replay", arguments->source.replay, "manifest.json of an earlier run to repeat")
       ->excludes(configuration)
       ->excludes(part);
   command->add_option("--dataset-root", arguments->source.dataset_root,
-                      "Folder of the data set for --replay (default: as recorded)");
+                      "Data set folder for --replay (default: as recorded)");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

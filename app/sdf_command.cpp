@@ -190,26 +190,26 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
 
 /// Adds --output, --summary, --format and --plot.
 void add_outputs(CLI::App& command, SdfArguments& arguments) {
-  add_shape_outputs(command, arguments.files,
-                    ".csv (index, value, area weight), .npy, .ply (coloured mesh or points) or .png (picture)")
+  add_shape_outputs(command, arguments.files, ".csv (index, value, area weight), .npy, .ply (coloured shape) or .png")
       ->required(false);
   command.add_flag("--summary", arguments.summary,
-                   "Print minimum, percentiles, maximum, mean and the area thinner than --below; implied if neither -o "
-                   "nor --plot is given");
+                   "Print minimum, percentiles, maximum, mean and the area thinner than --below; implied without "
+                   "-o and --plot");
   add_format_option(command, arguments.format, "Format of the printed result");
-  command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
+  command.add_option("--plot", arguments.plot, "File for a thickness histogram: .svg, .pdf or .png");
 }
 
 /// Adds the options of colours, legend, size and view.
 void add_picture_options(CLI::App& command, SdfArguments& arguments) {
   add_colour_options(command, arguments.colours);
-  command.add_flag("--no-legend", arguments.no_legend, "Omit the colour legend in .png pictures");
-  command.add_option("--picture-size", arguments.picture_size, "Width and height of .png pictures, in pixels")
+  command.add_flag("--no-legend", arguments.no_legend, "Omit the legend in .png pictures");
+  command.add_option("--picture-size", arguments.picture_size, "Size of .png pictures, in pixels")
       ->capture_default_str();
   command
-      .add_option("--view", arguments.view,
-                  "Direction from the shape to the viewer in .png pictures, such as 0,0,1 (default: facing the broad "
-                  "side, slightly from above)")
+      .add_option(
+          "--view", arguments.view,
+          "Direction from shape to viewer in .png pictures, such as 0,0,1 (default: facing the broad side, slightly "
+          "from above)")
       ->type_name("X,Y,Z");
   add_up_option(command, arguments.up);
 }
@@ -347,7 +347,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   begin_option_group(*command, output_options);
   command->add_option(
       "--timings", arguments->timings,
-      "JSON file for run times, numbers of samples without a value and what 'shapegauge info' prints; one shape only");
+      "JSON file for run times, counts of missing values and the report of 'shapegauge info'; one shape only");
   command->callback([arguments, &status, offset] {
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not apply to --method " + arguments->method);

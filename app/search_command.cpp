@@ -222,17 +222,19 @@ class SearchRun {
 
 void add_method_options(CLI::App& command, SearchArguments& arguments) {
   CLI::Option* articulated = command.add_flag("--articulated", arguments.articulated,
-                                              "Use the recommended pose-invariant method, for articulated shapes");
+                                              "Use the pose-invariant method, recommended for articulated shapes");
   for (CLI::Option* option :
        {command.add_option("--method", arguments.method)->group(hidden_options),  // the older name
         command.add_option("--configuration", arguments.method,
-                           "Configuration of a retrieval experiment that defines the search method; --signature "
-                           "selects the signature (default: the recommended method)"),
+                           "Configuration file of a retrieval experiment that defines the search method (default: the "
+                           "recommended method)"),
         command.add_option("--signature", arguments.signature,
-                           "Name of the signature in --configuration to compare shapes by (default: the last suitable "
-                           "one; re-ranked and fused ones are not)"),
-        command.add_option("--set", arguments.settings,
-                           "Override a value of --configuration: dotted.key=value; repeatable")}) {
+                           "Name of the signature (features and distance) in --configuration to search by; must not be "
+                           "re-ranked or fused (default: the last suitable signature)"),
+        command.add_option(
+            "--set", arguments.settings,
+            "Override a value of --configuration: dotted.key=value, such as signatures[Sum].scale=ranks for "
+            "signature Sum; paths are relative to the working directory; repeatable")}) {
     articulated->excludes(option);
   }
 }
@@ -248,25 +250,24 @@ void add_search_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SearchArguments>();
   command
       ->add_option("paths", arguments->paths,
-                   "Query files, if any, followed by the collection: a folder, a list of files (.txt) or a data set "
-                   "(.cla, .csv, .json)")
+                   "Query files, if any, then the collection: a folder, list of files (.txt) or data set (.cla, .csv, "
+                   ".json)")
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-k,--count", arguments->count, "Number of results per query")
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
   command->add_flag("--rerank", arguments->rerank,
-                    "Re-rank results by diffusion, using the distances between all shapes of the collection");
+                    "Re-rank results by diffusion on the collection's neighbourhood graph");
   add_format_option(*command, arguments->format, "Format of the printed result");
-  command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
+  command->add_option("-o,--output", arguments->page, "HTML file with pictures and 3D views of the results");
   add_up_option(*command, arguments->up);
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index,
                       "Index file, created or updated as needed (default: next to the collection, such as "
                       "models.search-index)");
-  command->add_flag("--no-update", arguments->no_update,
-                    "Use the index as it is, without checking the collection for changed files");
+  command->add_flag("--no-update", arguments->no_update, "Use the index without checking the collection for changes");
   add_method_options(*command, *arguments);
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);

@@ -126,14 +126,14 @@ void add_segment_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SegmentArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".seg (one line per face or point with the number of its part), .ply or .png (coloured parts)")
+                    ".seg (part number per face or point, one per line), .ply or .png (coloured parts)")
       ->required(false);
   add_up_option(*command, arguments->up);
   begin_option_group(*command, "Method");
   command
-      ->add_option("--method", arguments->method,
-                   "Method. best: semantic parts such as limbs; paper: clusters of patches of similar thickness (Chen "
-                   "et al. 2018)")
+      ->add_option(
+          "--method", arguments->method,
+          "Algorithm. best: semantic parts, such as limbs; paper: patches clustered by thickness (Chen et al. 2018)")
       ->check(one_of(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
   for (const Parameter& parameter : parameters) {

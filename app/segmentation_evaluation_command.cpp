@@ -113,8 +113,8 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
   command->add_option("segmentations", arguments->folders,
-                      "Folders of segmentations, one per method, with N.seg for each mesh N.off (default: compare "
-                      "only human segmentations)");
+                      "One folder per method, with segmentation N.seg for each mesh N.off (default: evaluate human "
+                      "segmentations only)");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,
@@ -123,13 +123,13 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Evaluation");
   command
       ->add_option("--by", arguments->weights,
-                   "Weight of a triangle: 1 (faces), as in the benchmark's tables, or its area")
+                   "Weight of a triangle. faces: 1, as in the benchmark's tables; area: its area")
       ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
-  command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, the slowest error measure");
+  command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, the slowest measure");
   begin_option_group(*command, output_options);
   add_format_option(*command, arguments->format, "Format of the printed result");
-  command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors on each mesh");
+  command->add_option("--per-mesh", arguments->per_mesh, "CSV file for errors per mesh");
   add_replace_option(*command, arguments->replace);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -156,11 +156,11 @@ CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::
   CLI::Option* const output =
       command
           .add_option("-o,--output", files.output,
-                      "Output file: " + description + "; a folder for several inputs; - for standard output")
+                      "Output file: " + description + "; folder for several inputs; - for standard output")
           ->required();
   command
       .add_option("--output-format", files.output_format,
-                  "Format of results in a folder or on standard output, as an extension without the dot")
+                  "Format of results in a folder or on standard output, as a file extension without the dot")
       ->capture_default_str();
   command.add_flag("--replace", files.replace, "Overwrite existing files");
   return output;

@@ -253,30 +253,29 @@ void add_view_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output,
-                      "Output file: .html; - for standard output; required for several shapes (default: NAME.html in "
-                      "the working folder)");
+                      "Output file: .html; - for standard output; required for several shapes (default: ./hand.html "
+                      "for models/hand.off)");
   add_replace_option(*command, arguments->files.replace);
   begin_option_group(*command, "Method");
   command
       ->add_option("--field", arguments->fields,
-                   "Scalar field that colours the shapes, with settings as in a configuration, such as "
-                   "offset_sdf,offset=0.03; repeatable (default: offset_sdf and, for meshes, cone_sdf)")
+                   "Scalar field for the colours, with settings as in a configuration, such as offset_sdf,offset=0.03; "
+                   "repeatable (default: offset_sdf and, for meshes, cone_sdf)")
       ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
-  CLI::Option* parts =
-      command->add_option("--parts", arguments->parts, "Number of parts to segment the shapes into; 0 for automatic")
-          ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
-          ->capture_default_str();
+  CLI::Option* parts = command->add_option("--parts", arguments->parts, "Number of parts per shape; 0: automatic")
+                           ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
+                           ->capture_default_str();
   command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);
   begin_option_group(*command, "Display");
   command
       ->add_option("--max-faces", arguments->max_faces,
-                   "Maximum number of faces or points shown; larger shapes are measured in full, then simplified")
+                   "Maximum number of faces or points shown; larger shapes are simplified after measurement")
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
       ->capture_default_str();
   add_colour_options(*command, arguments->colours);
   add_up_option(*command, arguments->up);
-  command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");
+  command->add_option("--title", arguments->title, "Page title (default: shape names)");
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status, offset] { status = run(*arguments, offset->count() > 0); });
 }

@@ -43,12 +43,12 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options);
 inline constexpr std::array evaluation_table = {
     option_of<&EvaluationOptions::ties>(
         "ties",
-        "Order of models at equal distance. index: lower index first; optimistic, pessimistic: "
-        "relevant models first or last; expected: mean over all orders."),
-    option_of<&EvaluationOptions::minimum_class_size>(
-        "minimum_class_size", {.low = 1, .high = 1'000'000},
-        "Minimum number of models in the class of a query, the query included; models of smaller classes are targets "
-        "only. The Princeton Shape Benchmark's psbTable uses 3; with 1, queries without relevant models score 0."),
+        "Order of models at equal distance. index: lower index first; optimistic: relevant models first; pessimistic: "
+        "relevant models last; expected: mean over all orders."),
+    option_of<&EvaluationOptions::minimum_class_size>("minimum_class_size", {.low = 1, .high = 1'000'000},
+                                                      "Minimum size of a query's class, the query included; models of "
+                                                      "smaller classes are only targets. 1: equivalent "
+                                                      "to 2; 3: as psbTable of the Princeton Shape Benchmark."),
 };
 
 /// Mean first tier (FT) over the queries if, among models at equal distance, relevant ones rank last (pessimistic) or

@@ -48,7 +48,7 @@ std::string segmentation_page(const SegmentationPage& page) {
                 {"classes", page.classes},
                 {"labels", page.labels},
                 {"errors", page.errors ? errors_json(*page.errors) : SegmentationJson()},
-                {"moved", table_json(page.moved)},
+                {"perturbation_effects", table_json(page.perturbation_effects)},
                 {"consistency", table_json(page.consistency)},
                 {"failures", page.failures},
                 {"shown", std::move(shown)},

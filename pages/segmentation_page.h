@@ -40,8 +40,8 @@ struct SegmentationPage {
   std::vector<std::string> classes;              ///< names of the classes
   std::vector<int> labels;                       ///< index in `classes` of the class of each shape
   std::optional<SegmentationPageErrors> errors;  ///< errors of the methods; absent without reference segmentations
-  TextTable moved;        ///< table of Rand errors that perturbations cause; no rows without perturbations
-  TextTable consistency;  ///< table of the consistency of parts within classes (consistency_table())
+  TextTable perturbation_effects;  ///< table of Rand errors that perturbations cause; no rows without perturbations
+  TextTable consistency;           ///< table of the consistency of parts within classes (consistency_table())
   std::vector<std::pair<std::string, std::string>> failures;  ///< ids of omitted shapes and the reasons
   std::vector<SegmentationFigure> shown;  ///< figures of all shapes, largest errors first; empty without pictures
   std::vector<std::size_t> typical;       ///< shape of median error of each class, as an index into `shown`

@@ -23,16 +23,16 @@ constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>(
         "neighbours", {.low = 1, .high = 1000},
-        "Number of nearest neighbours in the graph of the random walk; about half the class size is good. The results "
-        "for a list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+        "Number of nearest neighbours per model in the random walk's graph; about half "
+        "the class size is good. Results for a list (auto: "
+        "4,5,7,10,14,20) are averaged.",
         automatic_neighbours),
     option_of<&DiffusionOptions::damping>(
         "damping", {.low = 0, .high = 1, .high_open = true},
-        "Probability that a random walk continues; higher values reach more distant models."),
+        "Probability that a random walk continues; higher values reach farther neighbours."),
     option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
-                                      "Weight of the original distance, which breaks ties."),
-    option_of<&DiffusionOptions::keep_nearest>("keep_nearest",
-                                               "Keep each model's original nearest neighbour in first place."),
+                                      "Weight of the original distance, added to break ties."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep each model's original nearest neighbour first."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 

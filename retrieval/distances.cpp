@@ -110,8 +110,10 @@ std::vector<NamedDistance> builtin_distances() {
       {"l2", l2_distance, DistanceDomain::any, nullptr, "Euclidean"},
       {"cosine", cosine_distance, DistanceDomain::not_zero, nullptr, "1 - cosine of the angle"},
       {"chi2", chi2_distance, DistanceDomain::not_negative, nullptr, "half the sum of (a - b)² / (a + b)"},
-      {"hellinger", hellinger_distance, DistanceDomain::histograms, nullptr, "from 0 to 1"},
-      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms, nullptr, "from 0 to 1"},
+      {"hellinger", hellinger_distance, DistanceDomain::histograms, nullptr,
+       "l2 distance of the square roots, divided by √2"},
+      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms, nullptr,
+       "square root of the Jensen-Shannon divergence in bits"},
       {"emd", earth_movers_distance, DistanceDomain::histograms, nullptr, "earth mover's distance in bins"},
   };
 }

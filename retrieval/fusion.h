@@ -64,12 +64,12 @@ inline constexpr std::array sum_table = {
         "scale",
         "With sum: normalisation of each signature's distances. none: unchanged; median, mean: divided by their median "
         "or mean; local: divided by the geometric mean of the two models' mean distances to their ten nearest models; "
-        "ranks (older name: local_spread): log(1 + mean of the two models' ranks in each other's lists, sorted by "
-        "these local distances)."),
+        "ranks: log(1 + mean rank of the two models in each other's lists, sorted by `local` distances); local_spread: "
+        "older name of ranks."),
     option_of<&SumOptions::weights>("weights",
-                                    "With sum: weights of the terms. given: as configured; agreement: multiplied by "
-                                    "factors estimated without class labels, larger for signatures whose nearest "
-                                    "neighbours agree with those of the others and form clusters."),
+                                    "With sum: weighting of the signatures. given: by `weight`; agreement: by `weight` "
+                                    "times an unsupervised factor, larger if nearest neighbours form clusters and "
+                                    "agree with those of the other signatures."),
 };
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a
@@ -143,8 +143,8 @@ struct RankFusionOptions {
 inline constexpr std::array rank_fusion_table = {
     option_of<&RankFusionOptions::score>(
         "score",
-        "With fuse_ranks: score of a rank. reciprocal: 1 / (60 + rank), which favours first ranks; borda: linear in "
-        "the rank."),
+        "With fuse_ranks: score of a rank, summed over signatures. reciprocal: 1 / (60 + rank), emphasising first "
+        "ranks; borda: number of models - rank."),
 };
 
 /// Fuses rankings: ranks each model's row of each matrix (without the model itself; ties: smaller index first) and sums

@@ -25,12 +25,12 @@ using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
     option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                              "Number of nearest models that may be mutual neighbours; the results for "
-                                              "a list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+                                              "Number of nearest models that may be mutual neighbours; results for a "
+                                              "list (auto: 4,5,7,10,14,20) are averaged.",
                                               automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>("expansion_neighbours", {.low = 1, .high = 1000},
-                                                        "Query expansion: number of nearest models whose neighbour "
-                                                        "sets are averaged; at most the largest value of neighbours."),
+                                                        "Number of nearest models whose neighbour sets are averaged; "
+                                                        "at most the largest value of neighbours."),
     option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1},
                                             "Weight of the original distance; 1: no re-ranking."),
 };
@@ -188,7 +188,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOpt
 
 RerankMethod k_reciprocal_method() {
   return {.name = "k_reciprocal",
-          .description = "k-reciprocal re-ranking: Jaccard distance of sets of mutual neighbours.",
+          .description = "k-reciprocal re-ranking: Jaccard distance between sets of mutual neighbours.",
           .parameters = reciprocal_parameters,
           .rerank =
               [](const DistanceMatrix& distances, const ParameterValues& values) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::array expansion_table = {
     option_of<&ExpansionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                             "Number of nearest models whose distances are averaged; the results for a "
-                                             "list (auto: 4, 5, 7, 10, 14, 20) are averaged.",
+                                             "Number of nearest models to average distances over; results for a list "
+                                             "(auto: 4,5,7,10,14,20) are averaged.",
                                              automatic_neighbours),
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);

@@ -71,7 +71,7 @@ double border_cost(const ThickSurface& surface, std::int32_t node, const Surface
                    const BoundarySmoothingOptions& options) {
   const double length = link.length / surface.unit;
   const double distance = std::max(link.distance / surface.unit, 1e-12);
-  const double curvature = std::max(0.0, surface.turn(node, link)) / distance;
+  const double curvature = std::max(0.0, surface.normal_angle(node, link)) / distance;
   return options.strength * length / (1 + curvature / options.concavity);
 }
 

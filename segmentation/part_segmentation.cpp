@@ -40,7 +40,7 @@ PatchOptions patch_options_of(const PartSegmentationOptions& options) {
   return {.count = std::max(options.patches, patches_per_part * options.parts), .seed = options.seed};
 }
 
-/// Gives parts of less than a part of a patch's usual area to their neighbours.
+/// Merges parts smaller than a fraction of the mean area of patches into their neighbours.
 std::vector<std::int32_t> without_small(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
                                         const PartSegmentationOptions& options) {
   return renumber_labels(without_slivers(graph, labels, min_patch_fraction / patch_options_of(options).count));
@@ -49,19 +49,19 @@ std::vector<std::int32_t> without_small(const SurfaceGraph& graph, std::span<con
 /// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;
 /// these have no neighbours to merge with.
 std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<const std::int32_t> patch,
-                                          std::int32_t most) {
+                                          std::int32_t max_count) {
   std::vector<double> areas(static_cast<std::size_t>(*std::ranges::max_element(patch) + 1), 0);
   for (std::size_t i = 0; i < patch.size(); ++i) {
     areas[static_cast<std::size_t>(patch[i])] += graph.samples.weights[static_cast<Eigen::Index>(i)];
   }
   std::vector<std::int32_t> order(areas.size());
   std::iota(order.begin(), order.end(), 0);
-  if (std::ssize(order) > most) {
+  if (std::ssize(order) > max_count) {
     std::ranges::stable_sort(order, std::greater<>{},
                              [&](std::int32_t p) { return areas[static_cast<std::size_t>(p)]; });
   }
   std::vector<std::int32_t> numbers(order.size(), -1);
-  for (std::int32_t k = 0; k < most && k < std::ssize(order); ++k) {
+  for (std::int32_t k = 0; k < max_count && k < std::ssize(order); ++k) {
     numbers[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])] = k;
   }
   std::vector<std::int32_t> result;
@@ -77,8 +77,8 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   const PatchOptions patch_options = patch_options_of(options);
   const std::vector<std::int32_t> patch =
       without_small(surface.graph, patches(surface.graph, patch_options, patch_costs(surface)), options);
-  const std::int32_t most = std::max(max_regions, patch_options.count);
-  const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
+  const std::int32_t max_patches = std::max(max_regions, patch_options.count);
+  const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, max_patches);
   Regions regions = surface_regions(surface, initial, options.samples);
   const auto probability = [&](const Regions& now, std::int32_t a, std::int32_t b) {
     return model.probability(features_of(now, a, b));
@@ -86,7 +86,7 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   merge_regions(regions, probability, {.min_affinity = options.min_probability, .parts = options.parts});
   std::vector<std::int32_t> labels;
   for (std::size_t i = 0; i < patch.size(); ++i) {
-    labels.push_back(initial[i] >= 0 ? regions.region_of(initial[i]) : most + patch[i]);
+    labels.push_back(initial[i] >= 0 ? regions.region_of(initial[i]) : max_patches + patch[i]);
   }
   return renumber_labels(smooth_boundaries(surface, renumber_labels(labels), options.smoothing));
 }

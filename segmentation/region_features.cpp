@@ -16,7 +16,7 @@ constexpr double min_area = 1e-9;
 constexpr double min_length = 1e-9;
 constexpr double min_spread = 1e-6;
 constexpr double min_sight = 0.05;
-constexpr double usual_tilt = -0.3;  ///< where no samples are near each other
+constexpr double default_tilt = -0.3;  ///< where no samples are near each other
 
 /// Form of a region from its second moments.
 struct Form {
@@ -144,7 +144,7 @@ class Features {
   }
 
   [[nodiscard]] double tilt(PairSum pairs, PairSum what) const {
-    return between(pairs) > 0 ? between(what) / between(pairs) : usual_tilt;
+    return between(pairs) > 0 ? between(what) / between(pairs) : default_tilt;
   }
 
   void add_opposites() {

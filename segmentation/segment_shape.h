@@ -36,17 +36,20 @@ struct SegmentationOptions {
 inline constexpr std::array segmentation_table = {
     option_of<&SegmentationOptions::method>(
         "method", "Algorithm. best: semantic parts, such as limbs; paper: clusters of patches of similar thickness."),
-    with_description("Number of parts; 0: automatic. With method paper: number of clusters; 0: 5.",
-                     nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
-    with_description("With method best: number of initial patches, which are merged into parts.",
+    with_description(
+        "With method best: number of parts, or 0 for automatic; with paper: number of clusters, or 0 for 5.",
+        nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
+    with_description("With method best: number of initial patches to merge into parts.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 1>()),
-    with_description("With method best and parts 0: two regions are merged at this predicted probability or more of "
-                     "being one part; lower values give fewer parts.",
-                     nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
-    with_description("With method best: maximum distance by which smoothing moves borders.",
+    with_description(
+        "With method best and parts 0: minimum predicted probability that two merged regions are one part; "
+        "lower values give fewer parts.",
+        nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
+    with_description("With method best: maximum shift of part borders by smoothing.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 3>()),
     option_of<&SegmentationOptions::field>(
-        "field", "With method paper: shape diameter function, of the offset surface or conventional."),
+        "field",
+        "With method paper: field to cluster, the shape diameter function of the offset surface or of ray cones."),
     with_unit(bounding_box_diagonals, option_of<&SegmentationOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
                                                                               "With method paper: offset distance.")),
 };

@@ -97,7 +97,7 @@ void add_borders(Regions& regions, const ThickSurface& surface, std::span<const 
       if (a < 0 || a >= b) continue;
       regions.make_neighbours(a, b);
       const double length = link.length / surface.unit;
-      const double turn = surface.turn(i, link);
+      const double turn = surface.normal_angle(i, link);
       regions.add(a, b, PairSum::border, length);
       regions.add(a, b, turn > 0 ? PairSum::concave : PairSum::convex,
                   length * std::min(std::abs(turn), max_border_turn));
@@ -255,7 +255,7 @@ std::vector<double> patch_costs(const ThickSurface& surface) {
   costs.reserve(surface.graph.links.size());
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     for (const SurfaceLink& link : surface.graph.links_of(i)) {
-      const double turn = std::clamp(surface.turn(i, link), 0.0, max_turn);
+      const double turn = std::clamp(surface.normal_angle(i, link), 0.0, max_turn);
       const double change = std::abs(surface.log_thickness[i] - surface.log_thickness[link.to]);
       costs.push_back(link.distance + surface.unit * (turn_cost * turn + thickness_cost * change));
     }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double max_missing = 0.25;       ///< share of the area
 constexpr double min_thickness = 1e-4;     ///< in units
-constexpr double usual_thickness = 0.1;    ///< in units, where nothing is known
+constexpr double default_thickness = 0.1;  ///< in units, where nothing is known
 constexpr double smoothing_width = 0.012;  ///< of normals, in units
 constexpr int max_smoothing_rounds = 30;
 constexpr int thickness_rounds = 3;
@@ -67,7 +67,7 @@ void fill(Eigen::VectorXd& values, const SurfaceGraph& graph) {
     for (const auto& [i, value] : found) values[i] = value;
     std::erase_if(missing, [&](std::int32_t i) { return !std::isnan(values[i]); });
   }
-  for (const std::int32_t i : missing) values[i] = std::log(usual_thickness);
+  for (const std::int32_t i : missing) values[i] = std::log(default_thickness);
 }
 
 /// Averages values with those of neighbours, with weights that decrease with their difference.
@@ -123,7 +123,7 @@ Shape orient_outward(Shape shape) {
   return shape;
 }
 
-double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
+double ThickSurface::normal_angle(std::int32_t node, const SurfaceLink& link) const {
   const Eigen::RowVector3d from = smooth_normals.row(node);
   const Eigen::RowVector3d to = smooth_normals.row(link.to);
   const double angle = std::acos(std::clamp(from.dot(to), -1.0, 1.0));

@@ -19,7 +19,7 @@ struct ThickSurface {
   int barrier_triangles_per_node = 1;  ///< number of consecutive triangles of `barrier` per node
 
   /// Returns the angle between the smooth normals of a node and a linked node, in radians; positive if concave.
-  [[nodiscard]] double turn(std::int32_t node, const SurfaceLink& link) const;
+  [[nodiscard]] double normal_angle(std::int32_t node, const SurfaceLink& link) const;
 };
 
 /// Reverses a closed mesh whose triangles face inwards; returns any other shape unchanged.

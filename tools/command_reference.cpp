@@ -48,18 +48,18 @@ std::string names_of(const CLI::Option& option) {
 }
 
 /// "required" or the default of an option, otherwise nothing.
-std::string usual_value(const CLI::Option& option) {
+std::string default_remark(const CLI::Option& option) {
   if (option.get_required()) return "required";
-  const std::string usual = option.get_default_str();
-  return usual.empty() ? "" : fmt::format("default `{}`", usual);
+  const std::string default_value = option.get_default_str();
+  return default_value.empty() ? "" : fmt::format("default `{}`", default_value);
 }
 
-/// Item of a list: names, legal values, `usual` value and meaning.
-std::string option_item(const CLI::Option& option, const std::string& usual) {
+/// Item of a list: names, legal values, default and meaning.
+std::string option_item(const CLI::Option& option, const std::string& default_value) {
   std::vector<std::string> remarks;
   if (const std::string values = legal_values(option); !values.empty()) remarks.push_back(in_markdown(values));
   if (option.get_items_expected_max() > 1 || option.get_expected_max() > 1) remarks.emplace_back("list");
-  if (!usual.empty()) remarks.push_back(usual);
+  if (!default_value.empty()) remarks.push_back(default_value);
   return fmt::format("- `{}`{}: {}\n", names_of(option),
                      remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; ")),
                      in_markdown(option.get_description()));
@@ -79,7 +79,7 @@ std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
 
 using Options = std::vector<const CLI::Option*>;
 
-/// Options of all commands by their names and their items without usual values.
+/// Options of all commands by their names and their items without defaults.
 using OptionGroups = std::map<std::string, std::map<std::string, Options>>;
 
 void group_options(const CLI::App& command, OptionGroups& groups) {
@@ -90,7 +90,7 @@ void group_options(const CLI::App& command, OptionGroups& groups) {
 }
 
 /// An option of each name that several commands share: of the item that at least half of the commands with this name
-/// have, and with the most frequent usual value.
+/// have, and with the most frequent default.
 using SharedOptions = std::map<std::string, const CLI::Option*>;
 
 SharedOptions shared_options(const CLI::App& program) {
@@ -104,19 +104,21 @@ SharedOptions shared_options(const CLI::App& program) {
         std::ranges::max_element(items, {}, [](const auto& item) { return item.second.size(); })->second;
     if (most.size() < 2 || 2 * most.size() < commands) continue;
     const auto frequency = [&](const CLI::Option* option) {
-      return std::ranges::count(most, usual_value(*option),
-                                [](const CLI::Option* other) { return usual_value(*other); });
+      return std::ranges::count(most, default_remark(*option),
+                                [](const CLI::Option* other) { return default_remark(*other); });
     };
     shared[names] = *std::ranges::max_element(most, {}, frequency);
   }
   return shared;
 }
 
-/// Name of a shared option, with the usual value if it is another one here.
+/// Name of a shared option, with its default if that differs here.
 std::string reference_to(const CLI::Option& option, const CLI::Option& shared) {
-  const std::string usual = usual_value(option);
+  const std::string default_value = default_remark(option);
   const std::string name = fmt::format("`{}`", names_of(option));
-  return usual == usual_value(shared) ? name : fmt::format("{} ({})", name, usual.empty() ? "optional" : usual);
+  return default_value == default_remark(shared)
+             ? name
+             : fmt::format("{} ({})", name, default_value.empty() ? "optional" : default_value);
 }
 
 /// List of a command's own arguments and options, and the names of the shared ones.
@@ -128,7 +130,7 @@ std::string option_list(const CLI::App& command, const SharedOptions& shared) {
     if (known != shared.end() && option_item(*known->second, "") == option_item(*option, "")) {
       shared_names.push_back(reference_to(*option, *known->second));
     } else {
-      items += option_item(*option, usual_value(*option));
+      items += option_item(*option, default_remark(*option));
     }
   }
   if (!items.empty()) items.insert(0, "\n");
@@ -165,7 +167,7 @@ std::string command_reference(const CLI::App& program) {
   }
   const SharedOptions shared = shared_options(program);
   page += fmt::format("\n\n## Options of every command\n{}\n## Shared options\n\n", option_list(program, {}));
-  for (const auto& [names, option] : shared) page += option_item(*option, usual_value(*option));
+  for (const auto& [names, option] : shared) page += option_item(*option, default_remark(*option));
   for (const CLI::App* command : commands_of(program)) {
     page += section(*command, "shapegauge " + command->get_name(), shared);
   }

@@ -26,11 +26,11 @@ inline constexpr std::array bilateral_table = {
     with_unit("square roots of the area",
               option_of<&BilateralOptions::spatial_width>(
                   "spatial_width", {.low = 0, .high = 1, .low_open = true},
-                  "Standard deviation of the Gaussian of distances: larger values smooth over longer distances.")),
+                  "Standard deviation of the spatial Gaussian: larger values smooth over longer distances.")),
     with_unit("standard deviations of the field",
               option_of<&BilateralOptions::value_width>(
                   "value_width", {.low = 0, .high = 1e6, .low_open = true},
-                  "Standard deviation of the Gaussian of value differences: larger values also smooth higher steps.")),
+                  "Standard deviation of the Gaussian of value differences: larger widths also smooth higher steps.")),
 };
 
 /// Smooths a field along the surface with an edge-preserving bilateral filter (Tomasi and Manduchi 1998; on surfaces as

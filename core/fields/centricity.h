@@ -38,9 +38,10 @@ inline constexpr std::array centricity_table = {
         "measure", "Statistic of the geodesic distances. mean: area-weighted mean; eccentricity: maximum."),
     nested_option<&CentricityOptions::geodesics, geodesic_table, 0>(),
     nested_option<&CentricityOptions::geodesics, geodesic_table, 1>(),
-    option_of<&CentricityOptions::sources>("sources", {.low = 1, .high = 1000},
-                                           "Number of landmarks from which geodesic distances are computed. Ignored on "
-                                           "the surface proxy, which always uses 500 landmarks."),
+    option_of<&CentricityOptions::sources>(
+        "sources", {.low = 1, .high = 1000},
+        "Number of landmark vertices from which geodesic distances are measured; more are more precise. "
+        "Ignored if `on` is proxy, which uses 500."),
 };
 
 /// Computes the centricity at the samples, in the shape's units: the mean geodesic distance to the rest of the surface,

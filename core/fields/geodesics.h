@@ -32,10 +32,11 @@ struct GeodesicOptions {
 inline constexpr std::array geodesic_table = {
     option_of<&GeodesicOptions::method>("method",
                                         "Geodesic algorithm. graph: shortest paths, for any shape, a few percent too "
-                                        "long; heat, exact: CGAL's, for connected manifold meshes only."),
+                                        "long; heat (heat method), exact (slow): for connected manifold meshes only."),
     option_of<&GeodesicOptions::neighbours>("neighbours", {.low = 1, .high = 64},
-                                            "With method graph: number of nearest points to which each point of a "
-                                            "cloud is connected; for meshes, only across gaps between components."),
+                                            "With method graph: number of nearest neighbours connected to each point "
+                                            "of a cloud. Meshes use their edges, and "
+                                            "connect only nearest neighbours in other components."),
 };
 
 /// Function that returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no

@@ -44,12 +44,13 @@ struct WaveKernelOptions {
 
 /// Names, bounds and help texts of the parameters in WaveKernelOptions (option_parameters.h).
 inline constexpr std::array wave_kernel_table = {
-    option_of<&WaveKernelOptions::energies>("energies", {.low = 2, .high = 1000},
-                                            "Number of energies, evenly spaced on a logarithmic scale."),
+    option_of<&WaveKernelOptions::energies>(
+        "energies", {.low = 2, .high = 1000},
+        "Number of energies, evenly spaced over the logarithms of the eigenvalues."),
     with_unit("hundredths of the energy range",
               option_of<&WaveKernelOptions::width_steps>(
                   "width_steps", {.low = 0.1, .high = 100},
-                  "Standard deviation of the Gaussian weights of eigenvalues about each energy.")),
+                  "Standard deviation of each energy's Gaussian; larger values average over more eigenvalues.")),
 };
 
 /// Computes the wave kernel signature (Aubry, Schlickewei, Cremers 2011), one row per vertex, one column per energy.

@@ -35,10 +35,10 @@ constexpr double skipped_difference = 1e-3;
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
 /// on its surface, are rounded.
 double rounding_of(const UnitFrame& frame) {
-  constexpr double usual = 1e-9;
+  constexpr double minimum = 1e-9;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double largest = frame.centre.cwiseAbs().maxCoeff() + frame.diagonal / 2;
-  return std::max(usual, 4 * epsilon * largest / frame.diagonal);
+  return std::max(minimum, 4 * epsilon * largest / frame.diagonal);
 }
 
 const Shape& checked(const Shape& shape, const InscribedBallOptions& options) {

@@ -26,8 +26,8 @@ struct InscribedBallOptions {
 inline constexpr std::array inscribed_ball_table = {
     with_unit("degrees", option_of<&InscribedBallOptions::separation_angle_degrees>(
                              "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
-                             "Minimum angle at the ball's centre between the sample and an opposite contact; closer "
-                             "contacts are ignored.")),
+                             "Minimum angle at the centre of the measuring ball between the sample and the opposite "
+                             "contact; contacts at smaller angles are ignored.")),
 };
 
 /// Side of the surface on which a ball touches it: balls inside measure walls, balls outside measure gaps.

@@ -19,8 +19,8 @@ namespace shapegauge {
 namespace {
 
 constexpr std::string_view meaning_of_on =
-    "Surface to use. mesh: the shape's edges and triangles; proxy: evenly spread surface points, which also support "
-    "damaged meshes and clouds.";
+    "Surface representation. mesh: the shape's edges and triangles; proxy: graph of evenly spread surface points, also "
+    "for damaged meshes and point clouds.";
 
 struct CentricityField {
   CentricityOptions options = {};
@@ -64,7 +64,7 @@ struct SpectrumChoice {
 constexpr std::array spectrum_table = {
     option_of<&SpectrumChoice::eigenvalues>(
         "eigenvalues", {.low = 2, .high = 1000},
-        "Number of eigenvalues of the Laplacian, smallest first; more resolve finer details."),
+        "Number of Laplacian eigenvalues, smallest first; more resolve finer details."),
     option_of<&SpectrumChoice::on>("on", meaning_of_on),
 };
 
@@ -119,7 +119,8 @@ struct ScaleInvariantField {
 constexpr std::array scale_invariant_table = {
     option_of<&ScaleInvariantField::frequency>(
         "frequency", {.low = 0, .high = 63},
-        "Index of the Fourier coefficient; the transform is over the logarithm of the diffusion time."),
+        "Index of the Fourier coefficient, from 0 (lowest frequency); the transform is over the logarithm of the "
+        "diffusion time."),
     nested_option<&ScaleInvariantField::spectrum, spectrum_table, 0>(),
     nested_option<&ScaleInvariantField::spectrum, spectrum_table, 1>(),
 };
@@ -140,7 +141,7 @@ struct WaveKernelField {
 
 constexpr std::array wave_kernel_field_table = {
     option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999},
-                                        "Index of the energy, from 0 (lowest) to energies - 1."),
+                                        "Index of the energy to use, from 0 (lowest) to energies - 1."),
     nested_option<&WaveKernelField::options, wave_kernel_table, 0>(),
     nested_option<&WaveKernelField::options, wave_kernel_table, 1>(),
     nested_option<&WaveKernelField::spectrum, spectrum_table, 0>(),
@@ -175,7 +176,7 @@ FieldType centricity_type() {
 
 FieldType heat_kernel_type() {
   return {"heat_kernel",
-          "Heat kernel signature at one time: the heat that remains at a point, relative to an even distribution.",
+          "Heat kernel signature at one time: heat that remains at a point, relative to an even distribution.",
           listed<heat_kernel_table>(), heat_kernel_field};
 }
 

@@ -24,7 +24,9 @@ std::vector<Parameter> offset_sdf_parameters() {
   Parameter offset = parameter_named("offset", offset_sdf_table);
   offset.default_value = {};
   offset.choices = automatic;
-  offset.description = "Distance of the offset surface; auto: 1 to 5 %, chosen for each shape by its gaps and noise.";
+  offset.description =
+      "Distance of the offset surface; auto: for each shape, the smallest from 0.01 to 0.05 that closes gaps and "
+      "smooths noise.";
   return {offset, parameter_named("accuracy", offset_sdf_table)};
 }
 
@@ -106,7 +108,7 @@ FieldType offset_sdf_type() {
 FieldType cone_sdf_type() {
   constexpr auto parameters = parameters_of(cone_sdf_table);
   return {"cone_sdf",
-          "Conventional shape diameter function, by a cone of rays.",
+          "Conventional shape diameter function (cone of rays).",
           {parameters.begin(), parameters.end()},
           cone_sdf_field,
           true};
@@ -115,7 +117,7 @@ FieldType cone_sdf_type() {
 FieldType inscribed_ball_type() {
   constexpr auto parameters = parameters_of(inscribed_ball_table);
   return {"inscribed_ball",
-          "Diameter of the largest inner ball that touches the surface at the sample.",
+          "Diameter of the largest inner ball touching the surface at the sample.",
           {parameters.begin(), parameters.end()},
           inscribed_ball_field,
           true};
@@ -124,7 +126,7 @@ FieldType inscribed_ball_type() {
 FieldType gap_type() {
   constexpr auto parameters = parameters_of(inscribed_ball_table);
   return {"gap",
-          "Diameter of the largest empty ball that touches the surface at the sample from outside.",
+          "Diameter of the largest empty ball touching the surface at the sample from outside.",
           {parameters.begin(), parameters.end()},
           gap_field};
 }

@@ -47,8 +47,8 @@ Parameter up_parameter() {
           .default_value = word_of(UpAxis::automatic),
           .choices = words_of<UpAxis>,
           .description =
-              "Axis that points up. auto: from a comment \"# up: z\" in the file; without it, y for OFF, OBJ and glTF, "
-              "z for other formats."};
+              "Upward axis. auto: from a comment \"# up: z\" in the file, otherwise y for OFF, OBJ and glTF, and z "
+              "for other formats."};
 }
 
 std::string read_up_comment(const std::filesystem::path& file) {

@@ -53,7 +53,7 @@ constexpr std::array decimate_parameters{
     Parameter{.name = "faces",
               .kind = ParameterKind::integer,
               .bounds = decimate_faces_bounds,
-              .description = "Target number of faces; smaller meshes are unchanged."}};
+              .description = "Target number of faces; meshes with fewer are unchanged."}};
 
 constexpr auto sample_points_parameters = parameters_of(sample_points_table);
 
@@ -112,16 +112,16 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
 std::vector<ShapePerturbation> builtin_perturbations() {
   return {
       {"vertex_noise", "Move vertices or points at random.", vertex_noise_parameters, apply_vertex_noise},
-      {"remove_faces", "Remove random faces, or points of a cloud.", remove_faces_parameters, apply_remove_faces},
-      {"holes", "Cut round holes at random points of the surface.", punch_holes_parameters, apply_punch_holes},
+      {"remove_faces", "Remove random faces (clouds: points).", remove_faces_parameters, apply_remove_faces},
+      {"holes", "Cut round holes at random positions.", punch_holes_parameters, apply_punch_holes},
       {"decimate", "Simplify the mesh by quadric error metrics.", decimate_parameters, apply_decimate, 1,
        remark_on_decimation},
       {"sample_points", "Replace the mesh by random points, uniform by area.", sample_points_parameters,
        apply_sample_points},
       {"vertex_cloud", "Replace the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},
-      {"flip_orientation", "Reverse the orientation of random faces, or normals of a cloud.",
-       flip_orientation_parameters, apply_flip_orientation},
-      {"motion", "Rotate, translate and scale the shape at random.", motion_parameters, apply_random_motion},
+      {"flip_orientation", "Reverse the orientation of random faces (clouds: normals).", flip_orientation_parameters,
+       apply_flip_orientation},
+      {"motion", "Rotate, translate and scale at random.", motion_parameters, apply_random_motion},
   };
 }
 

@@ -32,12 +32,13 @@ struct VertexNoiseOptions {
 
 /// Names, bounds and help texts of the parameters in VertexNoiseOptions (option_parameters.h).
 inline constexpr std::array vertex_noise_table = {
-    without_default(with_unit(
-        bounding_box_diagonals,
-        option_of<&VertexNoiseOptions::amplitude>(
-            "amplitude", {.low = 0, .high = 1}, "Maximum displacement; gaussian: standard deviation per coordinate."))),
+    without_default(
+        with_unit(bounding_box_diagonals,
+                  option_of<&VertexNoiseOptions::amplitude>(
+                      "amplitude", {.low = 0, .high = 1},
+                      "Maximum displacement; with distribution gaussian: standard deviation per coordinate."))),
     option_of<&VertexNoiseOptions::distribution>(
-        "distribution", "Distribution of displacements: gaussian in each coordinate, or uniform in a ball."),
+        "distribution", "Distribution of displacements. gaussian: in each coordinate; uniform: in a ball."),
 };
 
 /// Moves every vertex of a mesh, or point of a cloud, by an independent random vector. Coincident vertices move apart,
@@ -66,7 +67,7 @@ struct PunchHolesOptions {
 inline constexpr std::array punch_holes_table = {
     option_of<&PunchHolesOptions::number>("number", {.low = 0, .high = 100'000}, "Number of holes."),
     with_unit(bounding_box_diagonals,
-              option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1}, "Radius of a hole.")),
+              option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1}, "Radius of each hole.")),
 };
 
 /// Removes the faces whose centroids lie within `radius` of one of `number` random points of the surface

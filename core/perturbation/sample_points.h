@@ -18,7 +18,7 @@ struct SamplePointsOptions {
 
 /// Names, bounds and help texts of the parameters in SamplePointsOptions (option_parameters.h).
 inline constexpr std::array sample_points_table = {
-    option_of<&SamplePointsOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of points."),
+    option_of<&SamplePointsOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of sampled points."),
     option_of<&SamplePointsOptions::with_normals>("with_normals", "Give the points the normals of their faces."),
 };
 

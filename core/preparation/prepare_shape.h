@@ -43,7 +43,7 @@ inline constexpr std::array preparation_table = {
         "remove_outliers", "Remove isolated points of clouds, more than 10 point spacings from their neighbours."),
     option_of<&PreparationOptions::scale>(
         "scale",
-        "Area that is scaled to 1. area: of the surface (clouds: estimated); tube_area: estimate from the volume of a "
+        "Area that is scaled to 1. area: surface area (clouds: estimated); tube_area: estimate from the volume of a "
         "tube about the surface, robust to noise, cracks and sampling."),
 };
 

@@ -32,14 +32,14 @@ struct ConeSdfOptions {
 /// Names, bounds and help texts of the parameters in ConeSdfOptions (option_parameters.h).
 inline constexpr std::array cone_sdf_table = {
     option_of<&ConeSdfOptions::engine>(
-        "engine", "Ray-casting backend. embree: fast; cgal: CGAL's implementation, for fields at faces only."),
+        "engine", "Ray-casting backend. embree: fast; cgal: CGAL's implementation, at faces only."),
     with_unit("degrees", option_of<&ConeSdfOptions::opening_angle_degrees>(
                              "opening_angle_degrees", {.low = 0, .high = 180, .low_open = true, .high_open = true},
-                             "Full opening angle of the cone.")),
+                             "Full opening angle of the ray cone.")),
     option_of<&ConeSdfOptions::rays>("rays", {.low = 1, .high = 10'000},
                                      "Number of rays per sample; more rays are more precise, but slower."),
-    option_of<&ConeSdfOptions::postprocess>(
-        "postprocess", "Smooth the values and scale them to [0, 1] for each shape; engine cgal only."),
+    option_of<&ConeSdfOptions::postprocess>("postprocess",
+                                            "Smooth the values and scale them to [0, 1] per shape; engine cgal only."),
 };
 
 /// Result of cone_sdf(): the conventional SDF (shape diameter function), one value per sample.

@@ -37,8 +37,8 @@ struct OffsetSdfOptions {
 inline constexpr std::array offset_sdf_table = {
     with_unit(bounding_box_diagonals,
               option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds, "Offset distance.")),
-    option_of<&OffsetSdfOptions::accuracy>("accuracy",
-                                           "Grid cells per offset distance: 2.5 (fast), 3 (standard) or 5 (fine)."),
+    option_of<&OffsetSdfOptions::accuracy>(
+        "accuracy", "Grid resolution: 2.5 (fast), 3 (standard) or 5 (fine) cells per offset distance."),
 };
 
 /// Numbers of samples by outcome of offset_sdf(). For a sample p with normal n, q is the closest point of the exterior

@@ -31,8 +31,7 @@ namespace {
 
 constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low = 1000, .high = 100'000},
                                                                   "Approximate number of triangles per model.");
-constexpr auto seed_option =
-    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed; another seed gives other shapes.");
+constexpr auto seed_option = option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed of the shapes.");
 
 constexpr int max_models = 1000;
 
@@ -173,11 +172,10 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
 
 const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table() {
   static const std::array table{
-      option_of<&GeneratorOptions::classes>("classes",
-                                            {.low = 1, .high = static_cast<double>(generated_classes().size())},
-                                            "Number of classes to generate."),
+      option_of<&GeneratorOptions::classes>(
+          "classes", {.low = 1, .high = static_cast<double>(generated_classes().size())}, "Number of shape classes."),
       option_of<&GeneratorOptions::models_per_class>("models_per_class", {.low = 1, .high = max_models},
-                                                     "Number of models to generate per class."),
+                                                     "Number of models per class."),
       faces_option, seed_option};
   return table;
 }

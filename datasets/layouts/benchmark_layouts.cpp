@@ -214,17 +214,17 @@ bool looks_like_shapenet(const fs::path& root) {
 
 DatasetLayout psb_layout() {
   return {.name = "psb",
-          .description = "Princeton Shape Benchmark as published",
+          .description = "Princeton Shape Benchmark",
           .find = find_psb_dataset,
-          .usual_classification = "classification/v1/base/test.cla",
+          .default_classification = "classification/v1/base/test.cla",
           .recognises = looks_like_psb};
 }
 
 DatasetLayout shapenet_layout() {
   return {.name = "shapenet",
-          .description = "ShapeNetCore of SHREC'17 as published",
+          .description = "ShapeNetCore of SHREC'17",
           .find = find_shapenet_dataset,
-          .usual_classification = "all.csv",
+          .default_classification = "all.csv",
           .has_splits = true,
           .recognises = looks_like_shapenet};
 }

@@ -209,18 +209,18 @@ Registry<DatasetLayout>& dataset_layouts() {
       "layout of data sets",
       {
           {.name = "shrec11",
-           .description = "T*.off and a .cla file",
+           .description = "T*.off and a .cla classification",
            .find = find_shrec11_dataset,
-           .usual_classification = "test.cla"},
+           .default_classification = "test.cla"},
           {.name = "folders",
-           .description = "a folder for each class, optionally with subfolders train and test",
+           .description = "one folder per class, optionally with subfolders train and test",
            .find = find_folders_dataset,
            .has_splits = true,
            .has_classification = false},
           {.name = "csv",
-           .description = "a table id,path,class",
+           .description = "CSV table with columns id,path,class",
            .find = find_csv_dataset,
-           .usual_classification = "models.csv"},
+           .default_classification = "models.csv"},
           psb_layout(),
           shapenet_layout(),
           shrec07_layout(),
@@ -262,12 +262,12 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
     return {.layout = layout, .root = root, .classification = classification};
   }
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
-    const bool has_usual = !layout.usual_classification.empty();
-    const fs::path usual = has_usual ? root / layout.usual_classification : fs::path();
+    const bool has_default = !layout.default_classification.empty();
+    const fs::path default_path = has_default ? root / layout.default_classification : fs::path();
     std::error_code unreadable;  // then reading it reports why, such as a looping link
-    const bool there = has_usual && (fs::exists(usual, unreadable) || unreadable);
+    const bool there = has_default && (fs::exists(default_path, unreadable) || unreadable);
     const bool recognised = layout.recognises != nullptr ? layout.recognises(root) : there;
-    if (recognised) return {.layout = std::string(layout.name), .root = root, .classification = usual};
+    if (recognised) return {.layout = std::string(layout.name), .root = root, .classification = default_path};
   }
   return {.layout = "folders", .root = root, .classification = {}};
 }

@@ -20,7 +20,7 @@ struct DatasetLayout {
   std::string_view name;           ///< name of the layout in options, such as "folders"
   std::string_view description{};  ///< short phrase that names the files and what defines the classes
   Dataset (*find)(const DatasetLocation&) = nullptr;  ///< finds the data set at a location; required
-  std::string_view usual_classification{};            ///< name of the default classification file; empty for none
+  std::string_view default_classification{};          ///< name of the default classification file; empty for none
   bool has_splits = false;                            ///< true if DatasetLocation::split selects models
   bool has_classification = true;  ///< true if a file may define the classes; else file and folder names do
   /// Returns true if a folder has this layout. If null, a folder with the default classification file has it.

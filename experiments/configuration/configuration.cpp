@@ -68,14 +68,15 @@ std::span<const Parameter> experiment_parameters() {
                 .kind = ParameterKind::integer,
                 .default_value = std::int64_t{1},
                 .bounds = seed_bounds,
-                .description = "Seed of the perturbations' random numbers, which also depend on the model's id (in "
-                               "comparisons: the shape's name)."},
+                .description = "Random seed of the perturbations; combined with each model's id (in shape comparisons: "
+                               "name)."},
       Parameter{.name = "on_error",
                 .kind = ParameterKind::choice,
                 .default_value = word_of(OnError::stop),
                 .choices = words_of<OnError>,
-                .description = "Action for an unusable model or shape: stop the run, or skip it (only for the methods "
-                               "that cannot use it) and list it at the end."}};
+                .description =
+                    "Action for an unusable shape. stop: end the run; skip: omit the shape (in retrieval, only "
+                    "from the signatures that cannot use it) and list it at the end."}};
   return parameters;
 }
 

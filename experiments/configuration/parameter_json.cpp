@@ -173,9 +173,9 @@ OrderedJson schema_of(const Parameter& parameter) {
 std::string markdown_list(std::span<const Parameter> parameters) {
   std::string list;
   for (const Parameter& parameter : parameters) {
-    const std::string usual = (parameter.required() ? "" : "default ") + default_text(parameter);
-    list +=
-        fmt::format("- `{}` ({}; {}): {}\n", parameter.name, markdown_values(parameter), usual, parameter.description);
+    const std::string default_remark = (parameter.required() ? "" : "default ") + default_text(parameter);
+    list += fmt::format("- `{}` ({}; {}): {}\n", parameter.name, markdown_values(parameter), default_remark,
+                        parameter.description);
   }
   return list;
 }

@@ -17,16 +17,16 @@ using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 2> assignments{"random", "in_turn"};
 
-constexpr std::array one_of_parameters{
-    Parameter{.name = "assign",
-              .kind = ParameterKind::choice,
-              .default_value = assignments[0],
-              .choices = assignments,
-              .description = "Choice of the list. random: drawn for each model; in_turn: in cyclic order of the "
-                             "models."}};
+constexpr std::array one_of_parameters{Parameter{
+    .name = "assign",
+    .kind = ParameterKind::choice,
+    .default_value = assignments[0],
+    .choices = assignments,
+    .description =
+        "Choice of the list of steps for each model. random: at random; in_turn: the lists in cyclic order."}};
 
 constexpr PerturbationType one_of_type{.name = "one_of",
-                                       .description = "Give each model one of the lists of steps in its `choices`.",
+                                       .description = "Apply to each model one of the lists of steps in `choices`.",
                                        .parameters = one_of_parameters,
                                        .has_choices = true};
 

@@ -281,7 +281,7 @@ DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
         fmt::format("the layout \"{}\" has its classes in names of files or folders", location.layout)};
   }
   location.classification = dataset.contains("classification") ? path_value(dataset, "classification", location.root)
-                                                               : location.root / layout.usual_classification;
+                                                               : location.root / layout.default_classification;
   return location;
 }
 

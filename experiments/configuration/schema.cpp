@@ -122,13 +122,13 @@ void add_descriptors(OrderedJson& schema) {
   add_types(descriptor_groups(), schemas, schema);
 }
 
-/// Adds the layouts, with their usual classifications and those that have splits.
+/// Adds the layouts, with their default classifications and those that have splits.
 void add_layouts(OrderedJson& definitions) {
-  std::vector<std::string> usual;
+  std::vector<std::string> defaults;
   std::vector<std::string_view> split;
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
-    if (!layout.usual_classification.empty()) {
-      usual.push_back(fmt::format("{}: {}", layout.name, layout.usual_classification));
+    if (!layout.default_classification.empty()) {
+      defaults.push_back(fmt::format("{}: {}", layout.name, layout.default_classification));
     }
     if (layout.has_splits) split.push_back(layout.name);
   }
@@ -136,12 +136,12 @@ void add_layouts(OrderedJson& definitions) {
       {"description", described_entries("Layout of the files, required without `generate`.", dataset_layouts())},
       {"enum", dataset_layouts().names()}};
   definitions["dataset_classification"] = {
-      {"description",
-       fmt::format("Classification file or table, relative to root. Defaults: {}.", fmt::join(usual, "; "))},
+      {"description", fmt::format("File with the models' classes (.cla or CSV), relative to root. Defaults: {}.",
+                                  fmt::join(defaults, "; "))},
       {"type", "string"},
       {"minLength", 1}};
   definitions["dataset_split"] = {
-      {"description", fmt::format("Split to use, for the layouts {}.", fmt::join(split, " and "))},
+      {"description", fmt::format("Split to use, for the layouts {}; all: every model.", fmt::join(split, " and "))},
       {"enum", dataset_splits},
       {"default", dataset_splits.front()}};
 }
@@ -214,11 +214,11 @@ OrderedJson schema_definitions() {
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
   definitions["report"]["then"]["properties"]["up"] = schema_of(up_parameter());
   definitions["protocol"]["enum"] = list_of_words<Protocol>();
-  definitions["distance"]["description"] = described_entries("Distance between histograms of fields.", distances());
+  definitions["distance"]["description"] = described_entries("Distance between field histograms a and b.", distances());
   definitions["distance"]["enum"] = distances().names();
-  definitions["evaluation"]["properties"]["measures"]["description"] =
-      fmt::format("Measures, such as NN or P@10 (default: those of the protocols). Available: {}.",
-                  fmt::join(measure_definitions().names(), ", "));
+  definitions["evaluation"]["properties"]["measures"]["description"] = fmt::format(
+      "Measures, such as P@10 (default: those of the protocols). Available (k: cut-off rank; N: list length): {}.",
+      fmt::join(measure_definitions().names(), ", "));
   return definitions;
 }
 

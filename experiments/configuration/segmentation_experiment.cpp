@@ -72,22 +72,21 @@ std::span<const Parameter> segmentation_method_parameters() {
 
 std::span<const Parameter> segmentation_experiment_parameters() {
   static const std::vector<Parameter> parameters = [] {
-    std::vector<Parameter> all{
-        Parameter{.name = "by",
-                  .kind = ParameterKind::choice,
-                  .default_value = word_of(TriangleWeights::faces),
-                  .choices = words_of<TriangleWeights>,
-                  .description = "Weight of a triangle in the errors. faces: 1, as in the Princeton Segmentation "
-                                 "Benchmark; area: its area."},
-        Parameter{.name = "cuts",
-                  .kind = ParameterKind::boolean,
-                  .default_value = false,
-                  .description = "Also compute the cut discrepancy, the slowest error measure."},
-        Parameter{.name = "pictures",
-                  .kind = ParameterKind::boolean,
-                  .default_value = true,
-                  .description = "Pictures of the parts in the report."},
-        up_parameter()};
+    std::vector<Parameter> all{Parameter{.name = "by",
+                                         .kind = ParameterKind::choice,
+                                         .default_value = word_of(TriangleWeights::faces),
+                                         .choices = words_of<TriangleWeights>,
+                                         .description = "Weight of a triangle in the error measures. faces: 1, as in "
+                                                        "the Princeton Segmentation Benchmark; area: its area."},
+                               Parameter{.name = "cuts",
+                                         .kind = ParameterKind::boolean,
+                                         .default_value = false,
+                                         .description = "Also compute the cut discrepancy, the slowest error measure."},
+                               Parameter{.name = "pictures",
+                                         .kind = ParameterKind::boolean,
+                                         .default_value = true,
+                                         .description = "Add pictures of the parts to the report."},
+                               up_parameter()};
     all.insert(all.end(), experiment_parameters().begin(), experiment_parameters().end());
     return all;
   }();

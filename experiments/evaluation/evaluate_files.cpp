@@ -131,7 +131,7 @@ bool has_ranked_answers(const EvaluationFiles& files) {
   if (!is_ranked_answers_file(files.matrix)) return false;
   const std::array<std::pair<std::string_view, bool>, 5> of_matrices{{{"similarity", files.similarity},
                                                                       {"distance", !files.distance.empty()},
-                                                                      {"order", files.order != RowOrder::usual},
+                                                                      {"order", files.order != RowOrder::automatic},
                                                                       {"ids", !files.ids.empty()},
                                                                       {"variable", !files.variable.empty()}}};
   for (const auto& [setting, is_set] : of_matrices) {
@@ -237,7 +237,7 @@ EvaluationFiles with_stored_ids(EvaluationFiles files) {
   const fs::path stored = files.matrix.parent_path() / stored_ids_name;
   std::error_code unknown;
   const bool is_matrix = lower_case(files.matrix.extension().string()) == ".npy";
-  if (is_matrix && files.ids.empty() && files.order == RowOrder::usual && fs::exists(stored, unknown))
+  if (is_matrix && files.ids.empty() && files.order == RowOrder::automatic && fs::exists(stored, unknown))
     files.ids = stored;
   return files;
 }
@@ -272,7 +272,7 @@ EvaluationData open_labelled(const EvaluationFiles& files) {
              files);
   data.task = task_of_labels(ids, labels);
   std::ranges::move(warnings, std::back_inserter(data.task.warnings));
-  if (!named && files.order == RowOrder::usual) warn_of_order(ids, labels, data);
+  if (!named && files.order == RowOrder::automatic) warn_of_order(ids, labels, data);
   return data;
 }
 

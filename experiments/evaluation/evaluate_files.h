@@ -24,7 +24,7 @@ struct EvaluationFiles {
   std::filesystem::path qrels{};    ///< file of TREC relevance judgements; empty if `labels` is set
   std::filesystem::path
       ids{};  ///< file with the model ids of the matrix rows, one per line; empty for those of the matrix or of `order`
-  RowOrder order = RowOrder::usual;              ///< order of the rows of a matrix without ids
+  RowOrder order = RowOrder::automatic;          ///< order of the rows of a matrix without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list
   std::size_t level = 0;    ///< level of the class hierarchy to evaluate, 1 for the top; 0: labelled classes
   bool shared_ids = false;  ///< true if equal ids in `labels` and `targets` mean the same model

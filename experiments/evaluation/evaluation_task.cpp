@@ -285,7 +285,7 @@ MatrixIds labelled_ids(const TaskLabels& labels, const MatrixSize& size, RowOrde
                                   static_cast<std::size_t>(size.columns) == ids.columns.size();
   if (!queries_by_targets && !labels.targets) ids.rows = ids.columns = labels.queries.models;
   const bool listed = labels.queries.listed && labels.of_targets().listed;
-  if (order == RowOrder::natural || (order == RowOrder::usual && !listed)) {
+  if (order == RowOrder::natural || (order == RowOrder::automatic && !listed)) {
     std::ranges::sort(ids.rows, natural_less);
     std::ranges::sort(ids.columns, natural_less);
   }

@@ -49,8 +49,8 @@ struct EvaluationTask {
 };
 
 /// Assumed order of the rows of a matrix without ids: natural order of the ids in the labels file (2 before 10), or the
-/// order of that file. `usual`: file order if the labels are a list (ModelLabels::listed), otherwise natural order.
-enum class RowOrder { usual, natural, file };
+/// order of that file. `automatic`: file order if the labels are a list (ModelLabels::listed), otherwise natural order.
+enum class RowOrder { automatic, natural, file };
 
 /// Handling of labelled or judged queries without a ranked list: left out of the averages, or counted with scores of 0.
 enum class Unanswered { left_out, count };

@@ -105,7 +105,7 @@ EvaluationFiles files_of(const Submission& submission, const EvaluationFiles& co
     files.variable.clear();
     files.ids.clear();
     files.distance.clear();
-    files.order = RowOrder::usual;
+    files.order = RowOrder::automatic;
     files.similarity = false;
   }
   files.unanswered = Unanswered::count;

@@ -122,8 +122,8 @@ TextTable perturbation_effect_table(const SegmentationResults& results) {
     std::vector<double> values;
     Mean mean;
     for (const SegmentedShape& shape : results.shapes) {
-      values.push_back(shape.moved[m]);
-      mean.add(shape.moved[m]);
+      values.push_back(shape.perturbation_errors[m]);
+      mean.add(shape.perturbation_errors[m]);
     }
     table.rows.push_back({results.experiment.methods[m].name, cell(median(values)), cell(mean.value()),
                           cell(*std::ranges::max_element(values))});

@@ -16,7 +16,8 @@ namespace shapegauge {
 TextTable consistency_table(const SegmentationResults& results);
 
 /// Makes a table of the effect of perturbations on segmentations: a row for each method with perturbations, with the
-/// median, mean and maximum over the shapes of SegmentedShape::moved (Rand error relative to the unperturbed shape).
+/// median, mean and maximum over the shapes of SegmentedShape::perturbation_errors (Rand error relative to the
+/// unperturbed shape).
 TextTable perturbation_effect_table(const SegmentationResults& results);
 
 }  // namespace shapegauge

@@ -111,7 +111,8 @@ class SegmentationJob {
     errors.push_back(scorer.mean_errors_among(people_));
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
     for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
-    for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));
+    for (std::size_t m = 0; m < result.labels.size(); ++m)
+      result.perturbation_errors.push_back(perturbation_error(m, scorer));
     if (experiment_.pictures) draw(view_faces);
     for (Labels& labels : result.labels) labels = labels_of_polygons(mesh_, labels);
   }
@@ -158,7 +159,7 @@ class SegmentationJob {
   }
 
   /// Measures how much the perturbations of a method change its parts.
-  double moved(std::size_t method, const SegmentationScorer& scorer) {
+  double perturbation_error(std::size_t method, const SegmentationScorer& scorer) {
     const SegmentationMethod& perturbed = experiment_.methods[method];
     if (perturbed.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
     return scorer.errors(result.labels[method], cached_parts(without_perturbations(perturbed)).labels).rand_index;

@@ -27,7 +27,7 @@ struct SegmentedShape {
   std::vector<std::vector<double>> part_sizes;    ///< per method: each part's fraction of the surface area, descending
   /// Per method: Rand error between the segmentations with and without its perturbations; NaN for a method without
   /// perturbations.
-  std::vector<double> moved;
+  std::vector<double> perturbation_errors;
   std::vector<std::string> pictures;  ///< PNG images of segmentations: a human one, if any, then one per method
   std::string view = {};  ///< interactive 3D view of the segmentations, as JSON; empty if the report has no views
 };

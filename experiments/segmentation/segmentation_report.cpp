@@ -79,7 +79,7 @@ SegmentationPage segmentation_report(const SegmentationResults& results) {
                         .classes = results.scores.classes,
                         .labels = results.scores.labels,
                         .errors = {},
-                        .moved = perturbation_effect_table(results),
+                        .perturbation_effects = perturbation_effect_table(results),
                         .consistency = consistency_table(results),
                         .failures = {},
                         .shown = {},

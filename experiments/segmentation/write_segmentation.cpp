@@ -31,7 +31,8 @@ using Json = nlohmann::ordered_json;
 std::string summary(const SegmentationResults& results, const std::function<std::string(const TextTable&)>& text) {
   if (!results.has_people) return text(consistency_table(results));
   std::vector<std::string> tables{text(mean_table(results.scores)), text(class_table(results.scores))};
-  if (const TextTable moved = perturbation_effect_table(results); !moved.rows.empty()) tables.push_back(text(moved));
+  if (const TextTable effects = perturbation_effect_table(results); !effects.rows.empty())
+    tables.push_back(text(effects));
   if (const std::optional<MethodComparison> comparison = rand_comparison(results.scores)) {
     tables.push_back(text(interval_table(results.scores, *comparison)));
     tables.push_back(text(pair_table(results.scores, *comparison)));
@@ -50,8 +51,8 @@ std::vector<std::pair<std::string, std::string>> text_files(const SegmentationRe
       {"summary.md", summary_markdown(results)},
       {"consistency.csv", to_csv(consistency_table(results))},
       {std::string(report_name), segmentation_page(segmentation_report(results))}};
-  if (const TextTable moved = perturbation_effect_table(results); !moved.rows.empty())
-    files.emplace_back("moved.csv", to_csv(moved));
+  if (const TextTable effects = perturbation_effect_table(results); !effects.rows.empty())
+    files.emplace_back("moved.csv", to_csv(effects));
   if (!results.has_people) return files;
   files.emplace_back("errors.csv", to_csv(mesh_table(results.scores)));
   files.emplace_back("classes.csv", to_csv(class_error_table(results.scores)));

@@ -12,7 +12,7 @@ import { ShapeView } from '../view/shape_view.mjs';
 import { SegmentationState } from './segmentation_state.mjs';
 
 const page = pageData();
-const { errors, moved, consistency, failures, shown, typical } = page;
+const { errors, perturbation_effects: perturbationEffects, consistency, failures, shown, typical } = page;
 
 function openShape({ title, view }) {
   const dialog = byId('shape');
@@ -48,7 +48,7 @@ function drawShapes() {
 }
 
 const present = {
-  errors, classes: errors, damage: moved.rows.length, typical: shown.length, shapes: shown.length,
+  errors, classes: errors, damage: perturbationEffects.rows.length, typical: shown.length, shapes: shown.length,
   notes: failures.length,
 };
 for (const [section, there] of Object.entries(present)) if (!there) byId(section).remove();
@@ -57,7 +57,7 @@ if (errors) {
   drawErrors();
   followResizing(showClasses(new SegmentationState(page)));
 }
-if (moved.rows.length) textTable(byId('damage-table'), moved);
+if (perturbationEffects.rows.length) textTable(byId('damage-table'), perturbationEffects);
 textTable(byId('consistency-table'), consistency);
 if (shown.length) drawShapes();
 if (failures.length) {

@@ -24,15 +24,15 @@ constexpr std::array bag_of_features_table = {
     option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000},
                                             "Number of words (cluster centres) in the codebook."),
     option_of<&BagOfFeaturesOptions::soft>(
-        "soft", "Assign samples to all words with Gaussian weights, not only to the nearest."),
-    with_unit("mean distances of a word from the nearest other",
-              option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100},
-                                                         "With soft: standard deviation of the Gaussian weights.")),
+        "soft", "Assign samples to all words by Gaussian weights, instead of only to the nearest."),
+    with_unit("mean nearest-neighbour distances of words",
+              option_of<&BagOfFeaturesOptions::softness>(
+                  "softness", {.low = 0.01, .high = 100},
+                  "With soft: standard deviation of the Gaussian; larger values reach more words.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
                                                   "Divide each field by its standard deviation over the data set."),
-    option_of<&BagOfFeaturesOptions::samples_per_shape>(
-        "samples_per_shape", {.low = 1, .high = 100'000},
-        "Number of samples per shape from which the codebook is learnt."),
+    option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", {.low = 1, .high = 100'000},
+                                                        "Number of samples per shape for learning the codebook."),
     option_of<&BagOfFeaturesOptions::iterations>("iterations", {.low = 1, .high = 10'000},
                                                  "Maximum number of k-means iterations."),
     option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Random seed of k-means."),
@@ -222,7 +222,7 @@ Descriptor bag_of_features_descriptor() {
   constexpr std::size_t max_fields = 1000;
   return {.name = "bag_of_features",
           .description =
-              "Bag of features: area fractions by word of a learnt codebook of field values (Sivic and Zisserman "
+              "Bag of features: area fraction of each word of a learnt codebook of field values (Sivic and Zisserman "
               "2003).",
           .parameters = bag_of_features_parameters,
           .min_fields = 1,

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array d2_table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
-                                  "Number of points on the surface; all their pairs are used."),
+                                  "Number of surface points; distances are measured between all pairs."),
     option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Number of bins of the distance histogram."),
-    with_unit("mean distances",
+    with_unit("mean pair distances",
               option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100},
                                              "Upper end of the histogram; larger distances count in the last bin.")),
 };

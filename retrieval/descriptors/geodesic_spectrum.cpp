@@ -21,8 +21,9 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array geodesic_spectrum_table = {
-    option_of<&GeodesicSpectrumOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 100},
-                                                     "Number of eigenvalues after the largest, each relative to it."),
+    option_of<&GeodesicSpectrumOptions::eigenvalues>(
+        "eigenvalues", {.low = 1, .high = 100},
+        "Number of eigenvalues after the largest, each divided by the largest."),
 };
 constexpr auto geodesic_spectrum_parameters = parameters_of(geodesic_spectrum_table);
 

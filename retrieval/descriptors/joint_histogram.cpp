@@ -25,19 +25,19 @@ constexpr std::array joint_histogram_table = {
     with_unit("bins", option_of<&JointAxis::smoothing_bins>(
                           "smoothing_bins", {.low = 0, .high = 1000},
                           "Standard deviation of Gaussian smoothing along the axis; 0: none.")),
-    option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values of each shape by their mean first."),
+    option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide each shape's values by their mean before binning."),
     option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9},
                                "Lower end of the range; smaller values count in the first bin."),
     option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9},
                                 "Upper end of the range; larger values count in the last bin."),
-    option_of<&JointAxis::per_shape>("per_shape", "Use the field's range on each shape; low and high are ignored."),
+    option_of<&JointAxis::per_shape>("per_shape", "Use each shape's minimum and maximum instead of low and high."),
     option_of<&JointAxis::over_data_set>("over_data_set",
-                                         "Use the field's range over the data set; low and high are ignored."),
+                                         "Use the data set's minimum and maximum instead of low and high."),
 };
 constexpr auto joint_histogram_parameters = parameters_of(joint_histogram_table);
 constexpr std::array options_table = {
     option_of<&JointHistogramOptions::square_roots>(
-        "square_roots", "Compare the square roots of the bins, which gives small bins more weight."),
+        "square_roots", "Compare square roots of bin values, which gives small values more weight."),
 };
 constexpr auto options_parameters = parameters_of(options_table);
 
@@ -219,7 +219,7 @@ Descriptor joint_histogram_descriptor() {
   constexpr std::size_t max_fields = 6;
   return {
       .name = name,
-      .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
+      .description = "Joint histogram of fields, such as diameter and centricity (Gal, Shamir, Cohen-Or 2007).",
       .parameters = options_parameters,
       .axis_parameters = joint_histogram_parameters,
       .min_fields = 2,

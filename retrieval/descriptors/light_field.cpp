@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::array light_field_table = {
     with_unit("pixels", option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024},
-                                                              "Width and height of a silhouette.")),
+                                                              "Width and height of each silhouette.")),
 };
 constexpr auto light_field_parameters = parameters_of(light_field_table);
 
@@ -242,7 +242,7 @@ double light_field_distance(std::span<const float> a, std::span<const float> b) 
 
 Descriptor light_field_descriptor() {
   return {.name = "light_field",
-          .description = "Silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003).",
+          .description = "Zernike moments and Fourier coefficients of silhouettes from all sides (Chen et al. 2003).",
           .parameters = light_field_parameters,
           .version = 3,
           .describe =

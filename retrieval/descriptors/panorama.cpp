@@ -23,20 +23,18 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array panorama_table = {
-    option_of<&PanoramaOptions::angles>(
-        "angles", {.low = 64, .high = 1024},
-        "Number of cells around the axis of each cylindrical projection; a multiple of 64."),
-    option_of<&PanoramaOptions::heights>(
-        "heights", {.low = 64, .high = 1024},
-        "Number of cells along the axis of each cylindrical projection; a multiple of 64."),
+    option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024},
+                                        "Number of cells around the axis of each cylinder; a multiple of 64."),
+    option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024},
+                                         "Number of cells along the axis of each cylinder; a multiple of 64."),
     option_of<&PanoramaOptions::frequencies>("frequencies", {.low = 1, .high = 31},
-                                             "Highest Fourier frequency, around and along the axis."),
+                                             "Highest Fourier frequency around and along the cylinder axis."),
     option_of<&PanoramaOptions::exponent>(
         "exponent", {.low = 0.1, .high = 1},
         "Exponent of the Fourier magnitudes; smaller values give weak frequencies more weight."),
     option_of<&PanoramaOptions::sharpness>(
         "sharpness", {.low = 0.1, .high = 16},
-        "Exponent of the cosines between normals and lines of sight; larger values fade oblique surfaces."),
+        "Exponent of the cosine between normal and line of sight; larger values weaken oblique surfaces."),
     with_unit("RMS distances from the centroid",
               option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100},
                                                   "Radius of the cylinders; surfaces outside are ignored.")),

@@ -18,7 +18,7 @@ constexpr std::array shape_dna_table = {
     option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 1000},
                                              "Number of positive eigenvalues, smallest first."),
     option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank",
-                                                "Divide the k-th eigenvalue by k, which equalises their weights."),
+                                                "Divide the k-th eigenvalue by k, to weight all similarly."),
 };
 
 struct ShapeDnaSettings {
@@ -30,8 +30,8 @@ constexpr std::array settings_table = {
     nested_option<&ShapeDnaSettings::options, shape_dna_table, 0>(),
     nested_option<&ShapeDnaSettings::options, shape_dna_table, 1>(),
     option_of<&ShapeDnaSettings::on>("on",
-                                     "Laplacian to use. mesh: of the mesh; proxy: of the surface proxy, which also "
-                                     "supports damaged meshes and clouds."),
+                                     "Laplacian to use. mesh: of the mesh; proxy: of evenly spread surface points, "
+                                     "also for damaged meshes and clouds."),
 };
 constexpr auto shape_dna_parameters = parameters_of(settings_table);
 
@@ -60,7 +60,7 @@ Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& o
 
 Descriptor shape_dna_descriptor() {
   return {.name = "shape_dna",
-          .description = "The first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
+          .description = "Smallest eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
           .parameters = shape_dna_parameters,
           .version = version_on_proxy(3),
           .describe =

@@ -22,15 +22,17 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array spherical_harmonics_table = {
-    option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256}, "Number of concentric spheres."),
-    option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
-                                                     "Number of spherical harmonic degrees per sphere, from 0."),
+    option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256},
+                                                  "Number of evenly spaced concentric spheres."),
+    option_of<&SphericalHarmonicsOptions::bandwidth>(
+        "bandwidth", {.low = 1, .high = 64},
+        "Number of spherical harmonic degrees, from 0; more describe finer details."),
     with_unit("mean distances from the centroid",
               option_of<&SphericalHarmonicsOptions::width>(
                   "width", {.low = 0.001, .high = 10},
-                  "Width w of the Gaussian exp(-(d / w)²) of the distance d to the surface.")),
+                  "Width w of the Gaussian exp(-(d / w)²) that represents the surface; d: distance to it.")),
     option_of<&SphericalHarmonicsOptions::voxels>(
-        "voxels", "Use the voxelised surface instead of the Gaussian of the distance to it."),
+        "voxels", "Represent the surface by voxels instead of the Gaussian; width is ignored."),
 };
 constexpr auto spherical_harmonics_parameters = parameters_of(spherical_harmonics_table);
 
@@ -207,7 +209,7 @@ Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonics
 
 Descriptor spherical_harmonics_descriptor() {
   return {.name = "spherical_harmonics",
-          .description = "Norms of spherical harmonics on concentric shells (Kazhdan et al. 2003).",
+          .description = "Norms of spherical harmonics on concentric spheres (Kazhdan et al. 2003).",
           .parameters = spherical_harmonics_parameters,
           .version = 2,
           .describe =

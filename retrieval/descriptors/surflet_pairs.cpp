@@ -21,12 +21,15 @@ namespace {
 
 constexpr std::array surflet_pairs_table = {
     option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64},
-                                                   "Number of bins of the distance between the points."),
-    option_of<&SurfletPairsOptions::angle_bins>("angle_bins", {.low = 2, .high = 16},
-                                                "Number of bins for the cosine of each of the three angles."),
-    option_of<&SurfletPairsOptions::largest_distance>("largest_distance", {.low = 1, .high = 100},
-                                                      "Upper end of the distance bins, as a multiple of the shape's "
-                                                      "mean pair distance; larger distances count in the last bin."),
+                                                   "Number of bins for the distance between two points."),
+    option_of<&SurfletPairsOptions::angle_bins>(
+        "angle_bins", {.low = 2, .high = 16},
+        "Number of bins for each of three cosines: between the two normals, and between each normal and the connecting "
+        "line."),
+    option_of<&SurfletPairsOptions::largest_distance>(
+        "largest_distance", {.low = 1, .high = 100},
+        "Upper end of the distance bins, in multiples of the shape's mean pair distance; larger distances count in the "
+        "last bin."),
 };
 constexpr auto surflet_pairs_parameters = parameters_of(surflet_pairs_table);
 

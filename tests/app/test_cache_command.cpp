@@ -22,7 +22,7 @@ TEST_F(CacheCommand, PrintsTheFolderAndContents) {
   EXPECT_THAT(outcome.output, ContainsRegex("\nall +1 +1\\.5 MB\n"));
 }
 
-TEST_F(CacheCommand, ClearsFullAndEmptyCaches) {
+TEST_F(CacheCommand, ClearRemovesTheCacheFolderAndPrintsTheNumberOfEntries) {
   Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), 1);
   EXPECT_THAT(run("cache clear --cache @cache").output, ContainsRegex("1 entry, [0-9.]+ kB, removed"));
   EXPECT_FALSE(std::filesystem::exists(at("cache")));

@@ -61,7 +61,7 @@ TEST_F(CheckCommand, ListsThinRegionsInJsonAndCsv) {
   EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
 }
 
-TEST_F(CheckCommand, PageShowsThePartWithItsUpAxisVertical) {
+TEST_F(CheckCommand, HtmlPageShowsTheShapeWithItsUpAxisVertical) {
   for (const auto& [options, axis] : {std::pair("", 1), {"--up z", 2}}) {
     EXPECT_EQ(check(std::string("--min-wall 1.2 --replace -o @page.html ") + options).status, 3);
     const auto page = test::json_of_page(test::text_of(at("page.html")));

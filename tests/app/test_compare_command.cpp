@@ -55,7 +55,7 @@ class CompareCommand : public CommandTest {
   }
 };
 
-TEST_F(CompareCommand, ReportsTheDifferenceBetweenAGoodAndABadMethod) {
+TEST_F(CompareCommand, ReportsASignificantDifferenceBetweenAGoodAndABadMethod) {
   const Outcome outcome = succeeded(compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json"));
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["protocol"], "psb");
@@ -72,7 +72,7 @@ TEST_F(CompareCommand, ReportsTheDifferenceBetweenAGoodAndABadMethod) {
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }
 
-TEST_F(CompareCommand, TablesOfScoresPerQueryGiveTheComparisonOfTheirMatrices) {
+TEST_F(CompareCommand, ScoresPerQueryGiveTheSameOutputAsDistanceMatrices) {
   for (const std::string name : {"good", "bad"}) {
     ASSERT_EQ(
         run("evaluate " + quoted(name + ".npy") + " --labels @labels.csv --per-query " + quoted(name + ".csv")).status,
@@ -84,7 +84,7 @@ TEST_F(CompareCommand, TablesOfScoresPerQueryGiveTheComparisonOfTheirMatrices) {
             compare_matrices("good.npy bad.npy", "--format json").output);  // to the last digit
 }
 
-TEST_F(CompareCommand, ComparesMethodsOfAFolderWithTheReferenceMethod) {
+TEST_F(CompareCommand, ReferenceOptionComparesOnlyPairsWithTheReferenceMethod) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\n"
              "m,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\no,psb,1,x,0\no,psb,2,y,0\n"
@@ -107,7 +107,7 @@ TEST_F(CompareCommand, WritesChartsAndAReportOnRequest) {
   EXPECT_THAT(text_of(at("all.html")), AllOf(HasSubstr("ours"), HasSubstr("theirs")));
 }
 
-TEST_F(CompareCommand, WritesTheCurvesStoredInARunFolder) {
+TEST_F(CompareCommand, WritesThePrecisionRecallCurvesStoredInARunFolder) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
   write_text(at("results/pr_curves.csv"),

@@ -112,7 +112,7 @@ TEST_F(DatasetCommand, ReportsIncompleteDataSetIfGenerationIsInterrupted) {
                                              " is incomplete; --replace replaces it\n");
 }
 
-TEST_F(DatasetCommand, InfoDescribesGeneratedDataSets) {
+TEST_F(DatasetCommand, GenerateWritesUsableModelsAndRefusesToReplaceADataSet) {
   const Outcome generated = succeeded(run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000"));
   EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));
   EXPECT_THAT(run("dataset validate @made").output, HasSubstr("4 of 4 models"));

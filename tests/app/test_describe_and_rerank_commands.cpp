@@ -44,7 +44,7 @@ class DescribeCommand : public CommandTest {
   }
 };
 
-TEST_F(DescribeCommand, WrittenFeaturesYieldTheDistancesOfTheDescriptor) {
+TEST_F(DescribeCommand, DistancesCommandGivesTheDescriptorDistancesOfWrittenFeatures) {
   ASSERT_EQ(describe(fmt::format("--descriptor d2 -o '{}'", at("f.csv").string())).status, 0);
   const auto distances = [&](const std::string& output, const std::string& distance) {
     return run_executable(
@@ -76,7 +76,7 @@ TEST_F(DescribeCommand, WritesOneRowPerShape) {
   EXPECT_TRUE(rows.row(1).transpose().isApprox(d2(box, {.points = 64, .bins = 8}).cast<double>(), 1e-6));
 }
 
-TEST_F(DescribeCommand, LearnsACodebookFromAllShapesAndWritesTheirIdsToCsv) {
+TEST_F(DescribeCommand, BagOfFeaturesRowsSumToOneAndHaveShapeIds) {
   const std::string output = at("x.csv").string();
   succeeded(describe(fmt::format(
       "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output)));
@@ -103,7 +103,7 @@ TEST_F(DescribeCommand, GivesFilesOfEqualNamesDifferentIds) {
   expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "is repeated"}});
 }
 
-TEST_F(DescribeCommand, OmitsTheRowsOfFailedShapes) {
+TEST_F(DescribeCommand, OmitsTheRowsOfShapesThatCannotBeDescribed) {
   test::write_text(at("box.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor shape_dna -o '{}'", output));
@@ -122,7 +122,7 @@ TEST_F(DescribeCommand, RejectsUnknownDescriptorsSettingsAndOutputFormats) {
                       {"describe --descriptor d2", "--list"}});
 }
 
-TEST_F(DescribeCommand, FeaturesAreEvaluatedWithTheDistanceOfTheirDescriptor) {
+TEST_F(DescribeCommand, EvaluatingFeaturesGivesTheScoresOfTheirDistanceMatrix) {
   std::filesystem::create_directory(at("matrix"));
   test::write_text(at("classes.txt"), "a\na\nb\n");
   EXPECT_EQ(describe(fmt::format("--descriptor light_field --set pixels=16 -o '{}'", at("x.npy").string())).status, 0);
@@ -171,7 +171,7 @@ TEST_F(DescribeCommand, ReportsThatNoFileIsWrittenIfInterrupted) {
 
 using RerankCommand = CommandTest;
 
-TEST_F(RerankCommand, WritesTheDistancesOfTheLibraryFunctions) {
+TEST_F(RerankCommand, EachMethodWritesTheDistancesOfItsLibraryFunction) {
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
     const std::string call = fmt::format("rerank @d.npy --replace -o @r.npy {}", arguments);
@@ -197,7 +197,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST_F(RerankCommand, SparseOptionDoesNotWriteThroughALinkNextToTheOutput) {
+TEST_F(RerankCommand, SparseOptionDoesNotOverwriteAFileThroughASymbolicLink) {
   write_npy(at("d.npy"), line());
   test::write_text(at("mine"), "mine");
   std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
@@ -221,7 +221,7 @@ TEST_F(RerankCommand, WritesNoFileIfInterrupted) {
   EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST_F(RerankCommand, KeepsTheIdsOfCsvFiles) {
+TEST_F(RerankCommand, CopiesModelIdsFromTheInputCsvToTheOutput) {
   test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
   succeeded(run("rerank @d.csv -o @r.csv --method query_expansion --neighbours 1"));
   const LabelledTable found = read_matrix(at("r.csv"), TableShape::square);

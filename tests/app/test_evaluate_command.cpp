@@ -42,7 +42,7 @@ class EvaluateCommand : public CommandTest {
   }
 };
 
-TEST_F(EvaluateCommand, ScoresStandardInputLikeAFile) {
+TEST_F(EvaluateCommand, MatrixFromStandardInputScoresTheSameAsFromAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
     const std::string format_option =
@@ -64,7 +64,7 @@ TEST_F(EvaluateCommand, ScoresStandardInputLikeAFile) {
                        "standard input (-)"}});
 }
 
-TEST_F(EvaluateCommand, MatrixOfEveryFormatHasTheKnownScores) {
+TEST_F(EvaluateCommand, SevenModelMatrixHasItsKnownScoresInEveryFileFormat) {
   for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
     const Outcome outcome = succeeded(evaluate_toy("--format json", matrix));
     EXPECT_EQ(outcome.errors, "");
@@ -139,7 +139,7 @@ TEST_F(EvaluateCommand, ReportsClassesExcludedByTheMinimumSize) {
   EXPECT_THAT(outcome.errors, HasSubstr("omitted as queries: 3 models"));
 }
 
-TEST_F(EvaluateCommand, WritesCurvesAndTables) {
+TEST_F(EvaluateCommand, WritesPrecisionRecallCurvesAndScoresPerQueryAndClass) {
   ASSERT_EQ(
       evaluate_toy(
           "--pr @pr.plot --curve trec --pr-per-class @classes.csv --per-query @queries.csv --per-class @per_class.csv")
@@ -151,7 +151,7 @@ TEST_F(EvaluateCommand, WritesCurvesAndTables) {
   EXPECT_THAT(text_of(at("per_class.csv")), StartsWith("method,protocol,class,queries,NN"));
 }
 
-TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresDigitsAndIntervals) {
+TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresUnitAndConfidenceIntervals) {
   EXPECT_THAT(evaluate_toy("--measures P@2,FT --unit fraction --digits 3 --format csv").output,
               StartsWith("method,protocol,average,P@2,FT\ntoy,psb,micro,0."));
   EXPECT_THAT(evaluate_toy("--measures NN --fractions --format csv").output, HasSubstr("toy,psb,micro,0.571429\n"));
@@ -161,7 +161,7 @@ TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresDigitsAndIntervals) {
   EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
 }
 
-TEST_F(EvaluateCommand, CountsTiedQueriesAndOrdersTiesAsRequested) {
+TEST_F(EvaluateCommand, CountsQueriesWithTiesAndOrdersTiesByTheTiesOption) {
   write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const auto nn = [&](const std::string& ties) {
@@ -179,7 +179,7 @@ TEST_F(EvaluateCommand, CountsTiedQueriesAndOrdersTiesAsRequested) {
   EXPECT_EQ(nn("expected"), 0.5);
 }
 
-TEST_F(EvaluateCommand, WarnsOfAnomaliesOfTheMatrix) {
+TEST_F(EvaluateCommand, WarnsOfNegativeAndAsymmetricDistances) {
   write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const Outcome outcome = succeeded(run("evaluate @odd.txt --labels @three.csv"));
@@ -194,7 +194,7 @@ TEST_F(EvaluateCommand, DoesNotOverwriteTheRankedListsOfAFolder) {
   EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
 }
 
-TEST_F(EvaluateCommand, SingleClassScoresOneWithoutConfidenceIntervals) {
+TEST_F(EvaluateCommand, SingleClassHasScoreOneAndNoConfidenceIntervals) {
   write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
   const Outcome outcome = succeeded(run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json"));
   EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
@@ -249,7 +249,7 @@ TEST_F(EvaluateCommand, OptionEachQueryPrintsTheScoresOfEveryQuery) {
   EXPECT_EQ(evaluate_toy("--quiet --measures NN").output, evaluate_toy("--measures NN").output);
 }
 
-TEST_F(EvaluateCommand, ReportsIncompleteRankedLists) {
+TEST_F(EvaluateCommand, WarnsOfMissingQueriesAndIncompleteRankedLists) {
   // Queries 0 to 3 of seven are answered, with the two models nearest to each; B has three relevant models.
   write_text(at("two.lists"), "0 1 3\n1 0 3\n2 4 3\n3 1 4\n");
   const auto evaluate = [&](const std::string& more) { return evaluate_toy("--format json " + more, "two.lists"); };
@@ -302,7 +302,7 @@ TEST_F(EvaluateCommand, PlotsThePrecisionRecallCurveAndTheScoresOfClasses) {
   EXPECT_NE(text_of(at("same.svg")), text_of(at("pr.svg")));
 }
 
-TEST_F(EvaluateCommand, PrintsOneWarningPerAnomaly) {
+TEST_F(EvaluateCommand, PrintsOneWarningPerKindOfMatrixAnomaly) {
   write_npy(at("zero.npy"), DistanceMatrix::Zero(7, 7));
   const Outcome outcome = evaluate_toy("", "zero.npy");
   EXPECT_EQ(warnings_in(outcome.errors), 1) << outcome.errors;
@@ -315,7 +315,7 @@ TEST_F(EvaluateCommand, PrintsOneWarningPerAnomaly) {
   EXPECT_THAT(errors, HasSubstr("the answers to 7 of 7 queries"));
 }
 
-TEST_F(EvaluateCommand, ConfidenceIntervalsMatchCompareForAnyOrderOfClasses) {
+TEST_F(EvaluateCommand, ConfidenceIntervalsEqualThoseOfTheCompareCommand) {
   // Classes in another order than rows.
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));

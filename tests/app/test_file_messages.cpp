@@ -34,7 +34,7 @@ class FileMessages : public CommandTest {
   }
 };
 
-TEST_F(FileMessages, StateTheNumbersOfPolygonsAndTrianglesOnce) {
+TEST_F(FileMessages, StateTheNumbersOfPolygonsAndOfTheirTriangles) {
   const Outcome sdf =
       succeeded(run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv"))));
   EXPECT_THAT(sdf.errors, AllOf(HasSubstr("6 faces"), HasSubstr("12 triangles")));
@@ -70,7 +70,7 @@ TEST_F(FileMessages, DoNotMentionPolygonsForTriangleMeshes) {
   EXPECT_THAT(run("info @ball.off").output, Not(HasSubstr("polygon")));
 }
 
-TEST_F(FileMessages, StandardInputIsReadInTheFormatOfItsContent) {
+TEST_F(FileMessages, StandardInputFormatIsRecognisedFromItsContent) {
   for (const char* const name : {"ball.off", "ball.obj", "ball.ply", "ball.stl"}) {
     const Outcome outcome = run_executable("info - < " + quoted(name));
     EXPECT_EQ(outcome.status, 0) << name << outcome.errors;

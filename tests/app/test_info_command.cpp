@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using InfoCommand = CommandTest;
 
-TEST_F(InfoCommand, PrintsTextAndJson) {
+TEST_F(InfoCommand, PrintsTheBoundaryOfAnOpenMeshAsTextAndJson) {
   Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
   write_off(at("box.off"), box);

@@ -19,7 +19,7 @@ std::string leaderboard(const test_board::SmallBoard& small, const std::string& 
   return "leaderboard " + shell_word(small.submissions()) + " --labels " + shell_word(small.labels()) + " " + more;
 }
 
-TEST(LeaderboardCommand, PrintsTheTableAndWritesThePage) {
+TEST(LeaderboardCommand, PrintsMethodsByRankAndWritesAnHtmlPage) {
   const test_board::SmallBoard small;
   const auto page = small.folder.path() / "page.html";
   const Outcome outcome = succeeded(run_executable(leaderboard(small, "-o " + shell_word(page) + " --title Contest")));
@@ -67,7 +67,7 @@ TEST(LeaderboardCommand, RewritesOnlyChangedPagesOfAnExistingSite) {
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("1 pages"), HasSubstr("2 unchanged")));
 }
 
-TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
+TEST(LeaderboardCommand, ComparesMethodsOverSeveralDataSetsByMeanRank) {
   const test_board::SmallBoard small;
   const auto at = [&](const std::string& name) { return small.folder.path() / name; };
   for (const std::string set : {"s", "t"}) {

@@ -67,7 +67,7 @@ TEST_F(NormalsCommand, WritesCloudsWithNormalsInEveryFormat) {
   EXPECT_THAT(text_of(at("x.npy")), HasSubstr("'shape': (3000, 3)"));
 }
 
-TEST_F(NormalsCommand, WritesOutwardNormalsOfACleanCloudByDefault) {
+TEST_F(NormalsCommand, WritesOutwardNormalsOfAPointCloudByDefault) {
   ASSERT_EQ(normals("cloud.off", "", "x.ply").status, 0);
   const Shape read = read_shape(at("x.ply"));
   EXPECT_GT((read.normals.cwiseProduct(read.vertices).rowwise().sum().array() > 0).cast<double>().mean(), 0.99);
@@ -85,7 +85,7 @@ TEST_F(NormalsCommand, WarnsOfSamplesWithTheOutsideOnBothSides) {
   EXPECT_THAT(normals("mesh.off", "", "x.ply").errors, testing::Not(HasSubstr("both sides")));
 }
 
-TEST_F(NormalsCommand, WarnsIfTheOffsetDoesNotCloseTheGaps) {
+TEST_F(NormalsCommand, WarnsIfSurfaceGapsAreWiderThanTheOffset) {
   const Outcome outcome = succeeded(normals("cloud.off", "--offset 0.01", "x.csv"));
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
   EXPECT_THAT(outcome.errors, HasSubstr(" or --offset auto\n"));
@@ -100,7 +100,7 @@ TEST_F(NormalsCommand, WarnsIfTheOffsetDoesNotCloseTheGaps) {
   EXPECT_THAT(again.errors, testing::Not(HasSubstr("gaps")));
 }
 
-TEST_F(NormalsCommand, DenoisesNoisyMeshesFirst) {
+TEST_F(NormalsCommand, DenoiseOptionImprovesTheNormalsOfANoisyMesh) {
   const Shape fine = test::sphere(10, 4);
   RandomNumbers random(1);
   write_off(at("clean.off"), fine);

@@ -25,7 +25,7 @@ class PerturbCommand : public CommandTest {
   Shape shape = test::sphere(10, 3);  // 1280 faces
 };
 
-TEST_F(PerturbCommand, AppliesPerturbationsInTheDocumentedOrder) {
+TEST_F(PerturbCommand, DecimatesBeforeRemovingFacesDespiteTheOrderOfOptions) {
   const Outcome outcome =
       succeeded(perturb("x.off", "--remove-faces 0.5 --noise 0.01 --decimate 400 --flip 1 --motion 2"));
   EXPECT_EQ(outcome.output + outcome.errors, "");

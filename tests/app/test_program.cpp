@@ -70,7 +70,7 @@ const std::vector<std::string> all_commands{"",
                                             "cache",
                                             "completion"};
 
-TEST_F(Program, HelpFitsTheTerminalAndIsLongerThanShortHelp) {
+TEST_F(Program, HelpLinesFitTheTerminalAndShortHelpOmitsSomeOptions) {
   setenv("COLUMNS", "72", 1);
   for (const std::string& command : all_commands) {
     const std::string full = run_executable(command + " --help").output;
@@ -108,7 +108,7 @@ TEST_F(Program, NamesUnknownCommandsAndOptions) {
                       {"-q rum", "there is no command \"rum\""}});
 }
 
-TEST_F(Program, OptionTakesOneValueAndNotTheNextArgument) {
+TEST_F(Program, OptionWithAListDoesNotConsumeTheNextArgument) {
   test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
   test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const Outcome outcome =
@@ -123,7 +123,7 @@ TEST_F(Program, HelpCommandPrintsTheHelpOfAnyCommand) {
   EXPECT_THAT(run_executable("help").output, HasSubstr("143"));
 }
 
-TEST_F(Program, QuietOptionOmitsNotesAndVerboseAddsThem) {
+TEST_F(Program, QuietOptionSuppressesNotesAndVerboseOptionAddsTheRunTime) {
   const std::string normals = "normals " + quoted("data/T0.off") + " --replace -o " + quoted("x.npy");
   EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset: 1 % of the diagonal"));
   EXPECT_EQ(run_executable("-q " + normals).errors, "");
@@ -183,7 +183,7 @@ TEST_F(Program, WritesResultsIfTheErrorStreamIsClosed) {
   }
 }
 
-TEST_F(Program, RejectsAClosedOutputStream) {
+TEST_F(Program, FailsButWritesResultFilesIfStandardOutputIsUnusable) {
   // If all streams are closed, the first files opened get their numbers, and would receive the messages.
   const std::string run = "run " + quoted("small.json") + " --set signatures.0.histogram.bins=1 --output ";
   ASSERT_EQ(run_executable(run + quoted("out")).status, 0);

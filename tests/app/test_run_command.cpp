@@ -73,7 +73,7 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   EXPECT_EQ(run_executable(run + " --dry-run --set signatures.0.histogram.bins=7").status, 2);
 }
 
-TEST_F(SmallRun, EvaluateCommandScoresTheFolderOfARun) {
+TEST_F(SmallRun, EvaluatingARunFolderReproducesTheScoresOfItsSummary) {
   ASSERT_EQ(run("run @small.json --output @out").status, 0);
   EXPECT_EQ(text_of(at("out/distances/ids.txt")), "0\n1\n2\n3\n4\n5\n6\n7\n8\n");
   const Outcome all = succeeded(run("evaluate @out --protocol paper --format csv"));
@@ -85,7 +85,7 @@ TEST_F(SmallRun, EvaluateCommandScoresTheFolderOfARun) {
   EXPECT_EQ(nlohmann::json::parse(json.output).size(), 4U);
 }
 
-TEST_F(SmallRun, IdsNextToAMatrixDetermineTheOrderOfItsRows) {
+TEST_F(SmallRun, IdsFileOfAMatrixMatchesItsRowsToReorderedLabels) {
   ASSERT_EQ(run("run @small.json --output @out").status, 0);
   const std::string evaluate = "evaluate " + quoted("out/distances/fixed.npy") + " --format csv --labels ";
   write_text(at("shuffled.csv"), "id,class\n8,c\n0,a\n1,b\n2,c\n3,a\n4,b\n5,c\n6,a\n7,b\n");
@@ -94,14 +94,14 @@ TEST_F(SmallRun, IdsNextToAMatrixDetermineTheOrderOfItsRows) {
   EXPECT_EQ(outcome.output, run_executable(evaluate + quoted("data/test.cla")).output);
 }
 
-TEST_F(ReplayReport, AcceptsAnotherFolderOfTheDataSet) {
+TEST_F(ReplayReport, DatasetRootOptionReplaysARunOnAMovedDataSet) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);
   const Outcome outcome = succeeded(replay("--dataset-root " + quoted("moved")));
   EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
 }
 
-TEST_F(ReplayReport, RecomputesResultsWithoutTheCache) {
+TEST_F(ReplayReport, RecomputesAllResultsDespiteAFilledCache) {
   const std::string cache = " --cache " + quoted("cache");
   EXPECT_THAT(replay(cache).output, HasSubstr("All 15"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
@@ -125,7 +125,7 @@ TEST_F(ReplayReport, ReportsOutputsChangedByAnOverriddenSetting) {
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/per_shape.npy\n"));
 }
 
-TEST_F(ReplayReport, ComparesTheOutputsOfARepeatedShapeComparison) {
+TEST_F(ReplayReport, OfAShapeComparisonNamesIdenticalOutputsAndChangedShapes) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
     {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
@@ -259,7 +259,7 @@ TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
   expect_error_line(run("run --replay @out/manifest.json -o @out"), "would overwrite the input");
 }
 
-TEST_F(RunCommand, CountsModelsWhoseOffsetDoesNotCloseTheirGapsInAllOutputs) {
+TEST_F(RunCommand, ReportsTheNumberOfModelsWithGapsWiderThanTheOffset) {
   Shape open_box = test::small_shape("box", 0);
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
@@ -277,7 +277,7 @@ TEST_F(RunCommand, CountsModelsWhoseOffsetDoesNotCloseTheirGapsInAllOutputs) {
       << "auto closes the opening";
 }
 
-TEST_F(RunCommand, WarnsIfAnOffsetDoesNotCloseTheGapsInShapeComparisons) {
+TEST_F(RunCommand, ShapeComparisonReportsShapesWithGapsWiderThanTheOffset) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"},
     {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],

@@ -70,7 +70,7 @@ class RunParts : public SmallRun {
   }
 };
 
-TEST_F(RunParts, AreComputedByTheFinalRunIfMissing) {
+TEST_F(RunParts, MissingPartsAreComputedByTheCombiningRun) {
   for (const char* part : {"1/2", "3/3"}) {
     const Outcome outcome = succeeded(run_part(part));
     EXPECT_EQ(outcome.errors, "");
@@ -81,7 +81,7 @@ TEST_F(RunParts, AreComputedByTheFinalRunIfMissing) {
   EXPECT_EQ(cache_use()["computed"], 3);
 }
 
-TEST_F(RunParts, InParallelGiveTheResultsOfOneProcess) {
+TEST_F(RunParts, ComputedInParallelGiveTheResultsOfASingleProcess) {
   {
     BackgroundRun first(arguments("1/2"), at("errors1"));
     BackgroundRun same(arguments("1/2"), at("errors2"));
@@ -132,7 +132,7 @@ TEST_F(RunParts, RecomputeCacheEntriesOfAnotherFormatVersion) {
   EXPECT_EQ(cache_use()["computed"], 0);
 }
 
-TEST_F(RunParts, StopAtAFailedModelUnlessItIsSkipped) {
+TEST_F(RunParts, StopAtAnInvalidModelUnlessSkippingIsRequested) {
   write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   EXPECT_EQ(run_part("2/2").status, 0);
   const Outcome stopped = run_part("1/2");
@@ -144,7 +144,7 @@ TEST_F(RunParts, StopAtAFailedModelUnlessItIsSkipped) {
   EXPECT_THAT(skipped.output, HasSubstr("4 of 9 models"));
 }
 
-TEST_F(RunParts, ShareOneGeneratedDataSet) {
+TEST_F(RunParts, OfAGeneratedDataSetGiveTheResultsOfOneProcess) {
   json configuration = json::parse(text_of(at("small.json")));
   configuration["dataset"] = {{"generate", {{"classes", 3}, {"models_per_class", 2}, {"faces", 1000}}}};
   write_text(at("small.json"), configuration.dump());
@@ -160,7 +160,7 @@ TEST_F(RunParts, ShareOneGeneratedDataSet) {
   EXPECT_EQ(together, alone);
 }
 
-TEST_F(RunParts, AutomaticPartFollowsTheTaskOfTheJobArray) {
+TEST_F(RunParts, AutomaticPartNumberIsThatOfTheSlurmArrayTask) {
   const std::string command =
       "run " + quoted("small.json") + " --part auto --output " + quoted("out") + " --cache " + quoted("cache");
   ::setenv("SLURM_ARRAY_TASK_ID", "3", 1);
@@ -178,7 +178,7 @@ TEST_F(RunParts, RejectPartNumbersOutOfRangeAndRunsWithoutACache) {
   EXPECT_EQ(run_part("1/2", "small.json/cache").status, 2) << "a part that nothing can keep";
 }
 
-TEST_F(RunParts, ValidateOnlyTheModelsOfTheirPart) {
+TEST_F(RunParts, ValidateCommandChecksOnlyTheModelsOfTheRequestedPart) {
   write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   const std::string validate = "dataset validate " + quoted("data") + " --part ";
   const Outcome first = run_executable(validate + "1/2");
@@ -190,7 +190,7 @@ TEST_F(RunParts, ValidateOnlyTheModelsOfTheirPart) {
 
 /// Streamed distances need more models than a matrix in memory has. Nothing waits for models that fail: one has no
 /// area, the file of another is missing.
-TEST_F(RunParts, EvaluateThousandsOfModelsRowByRow) {
+TEST_F(RunParts, ScoreThousandsOfModelsRowByRowLikeASingleProcess) {
   std::string classification = "PSB 1\n2 2950\n";
   for (int i = 0; i < 2950; ++i) {
     if (i % 1475 == 0) classification += fmt::format("\nclass{} 0 1475\n", i);

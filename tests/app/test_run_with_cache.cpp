@@ -70,7 +70,7 @@ TEST_F(RunWithCache, ReportsHowManyResultsCameFromTheCache) {
   EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", 0}, {"computed", 9}}));
 }
 
-TEST_F(RunWithCache, LosesAtMostTheCurrentShapeWhenKilled) {
+TEST_F(RunWithCache, ReusesAllCachedShapesAfterBeingKilled) {
   write_configuration(2000);
   std::size_t cached = 0;
   {

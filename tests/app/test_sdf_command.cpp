@@ -28,7 +28,7 @@ class SdfCommand : public CommandTest {
   Shape shape = test::sphere(10, 3);
 };
 
-TEST_F(SdfCommand, WritesValuesInTheUnitsAndOrderOfTheFile) {
+TEST_F(SdfCommand, WritesSdfValuesInMeshUnitsAndVertexOrder) {
   const Outcome outcome = succeeded(sdf("--method cone_sdf --at vertices -o @x.csv"));
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors, "");
@@ -105,7 +105,7 @@ TEST_F(SdfCommand, WritesValuesAtThePointsOfACloudInEveryFormat) {
   EXPECT_EQ(text_of(at("v.csv")), text_of(at("x.csv")));
 }
 
-TEST_F(SdfCommand, TimingsContainTheNumberOfSamplesPerOutcome) {
+TEST_F(SdfCommand, TimingsFileContainsSecondsAndNumbersOfSamples) {
   ASSERT_EQ(sdf("--method offset_sdf -o @x.ply --timings @t.json").status, 0);
   const auto timings = nlohmann::json::parse(text_of(at("t.json")));
   for (const char* key : {"read_seconds", "build_seconds", "query_seconds"}) EXPECT_GE(timings.at(key), 0) << key;
@@ -116,7 +116,7 @@ TEST_F(SdfCommand, TimingsContainTheNumberOfSamplesPerOutcome) {
   EXPECT_EQ(timings["shape"]["triangles"], shape.triangles.rows());
 }
 
-TEST_F(SdfCommand, TimingsContainTheGapSize) {
+TEST_F(SdfCommand, TimingsFileContainsTheSizeOfTheLargestGap) {
   const Shape open{shape.vertices, shape.triangles.bottomRows(shape.triangles.rows() - 1)};
   write_off(at("open.off"), open);
   ASSERT_EQ(run("sdf @open.off --method offset_sdf --offset 0.2 -o @x.csv --timings @t.json").status, 0);
@@ -188,7 +188,7 @@ TEST_F(SdfCommand, CsvColumnIsNamedSdfOrInscribedBallByMethod) {
   EXPECT_THAT(text_of(at("cone.csv")), testing::StartsWith("index,sdf,weight\n"));
 }
 
-TEST_F(SdfCommand, PlotsAHistogramOfValues) {
+TEST_F(SdfCommand, PlotsAHistogramOfSdfValues) {
   ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot @x.svg").status, 0);
   EXPECT_THAT(text_of(at("x.svg")),
               testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
@@ -203,7 +203,7 @@ TEST_F(SdfCommand, WarnsOfHollowBodies) {
   EXPECT_NEAR(nlohmann::json::parse(outcome.output)["percentiles"]["50"].get<double>(), 2, 0.2);
 }
 
-TEST_F(SdfCommand, WarnsOfMissingValues) {
+TEST_F(SdfCommand, WarnsOfSamplesWithoutAnSdfValue) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = succeeded(sdf("--method cone_sdf -o @x.csv"));
   EXPECT_EQ(

@@ -55,7 +55,7 @@ TEST_F(SearchCommand, CountsSkippedFilesOfTheCollection) {
   EXPECT_THAT(search("query.off", "").errors, Not(HasSubstr("skipped")));
 }
 
-TEST_F(SearchCommand, PrintsTheSameResultsInEveryFormat) {
+TEST_F(SearchCommand, PrintsTheSameResultsInJsonAndCsv) {
   const nlohmann::json json = nlohmann::json::parse(search("models/T4.off", "-k 4 --format json").output);
   EXPECT_EQ(json["models"], 9);
   EXPECT_EQ(json["signature"], "more");
@@ -98,7 +98,7 @@ TEST_F(SearchCommand, NamesUnusableQueriesAndAnswersOtherQueries) {
   EXPECT_EQ(search("broken.off", "").status, 2);
 }
 
-TEST_F(SearchCommand, WritesOnlyTheIndexWithoutQueriesAndKeepsItWithNoUpdate) {
+TEST_F(SearchCommand, IndexIsWrittenWithoutQueriesAndKeptByNoUpdateOption) {
   const Outcome described = succeeded(search(quoted("models") + " --index " + quoted("own.index")));
   EXPECT_EQ(described.output, "");
   ASSERT_TRUE(std::filesystem::exists(at("own.index")));
@@ -137,13 +137,13 @@ TEST_F(SearchCommand, RejectsMissingCollectionsInvalidIndexesAndUnknownSignature
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 
-TEST_F(SearchCommand, ArticulatedOptionUsesTheArticulatedMethodAndItsIndex) {
+TEST_F(SearchCommand, ArticulatedOptionFindsSimilarShapesAndWritesItsOwnIndex) {
   const Outcome outcome = succeeded(run("search @query.off @models -k 3 --articulated --cache @cache"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));
 }
 
-TEST_F(SearchCommand, RerankOptionWorksWithTheDefaultMethod) {
+TEST_F(SearchCommand, RerankOptionReranksTheResultsOfTheDefaultMethod) {
   const Outcome outcome = succeeded(run("search @query.off @models -k 3 --rerank --format json --cache @cache"));
   const nlohmann::json json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["reranked"], true);

@@ -77,7 +77,7 @@ TEST_F(SegmentCommands, WarnOfMorePartsThanRequested) {
   EXPECT_THAT(succeeded(run("segment @balls.off -o @two.seg --parts 2")).errors, testing::Not(HasSubstr("instead")));
 }
 
-TEST_F(SegmentCommands, SegmentIgnoresOutliersInTheAutomaticOffset) {
+TEST_F(SegmentCommands, SegmentRemovesOutliersIfTheOffsetIsAutomatic) {
   Shape cloud = test::random_points(test::box({2, 2, 0.4}, 1), 2000, 1);
   cloud.vertices.conservativeResize(2003, Eigen::NoChange);
   cloud.vertices.bottomRows<3>() << 30, 0, 0, 0, 30, 0, 0, 0, 30;

@@ -30,7 +30,7 @@ class ShapeFileCommands : public CommandTest {
   }
 };
 
-TEST_F(ShapeFileCommands, WriteTheSameResultPerFileForOneAndSeveralFiles) {
+TEST_F(ShapeFileCommands, WriteTheSameResultForAFileAloneOrAmongSeveral) {
   for (const std::string command : {"sdf --method cone_sdf", "normals", "convert", "perturb --noise 0.01"}) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
@@ -48,7 +48,7 @@ TEST_F(ShapeFileCommands, CreateAFolderForSeveralOutputs) {
   EXPECT_EQ(read_shape(at("pair/box.ply")).vertices.rows(), test::box({1, 2, 3}, 1).vertices.rows());
 }
 
-TEST_F(ShapeFileCommands, ContinueAfterAFailedFile) {
+TEST_F(ShapeFileCommands, ProcessOtherFilesAfterAnUnreadableFile) {
   const Outcome outcome = run("convert @sphere.off @broken.off @absent.off @box.off -o @out --output-format ply");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
@@ -59,7 +59,7 @@ TEST_F(ShapeFileCommands, ContinueAfterAFailedFile) {
   EXPECT_FALSE(fs::exists(at("out/broken.ply")));
 }
 
-TEST_F(ShapeFileCommands, PrefixWarningsWithTheShape) {
+TEST_F(ShapeFileCommands, PrefixWarningsWithTheFileNameOfTheShape) {
   write_text(at("sheet.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = succeeded(run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/"));
   EXPECT_THAT(outcome.errors, testing::StartsWith(fmt::format("shapegauge: warning: {}: 1 of 1 samples missing",
@@ -96,7 +96,7 @@ TEST_F(ShapeFileCommands, AcceptStandardInputAndOutput) {
   expect_error_line(run("info - -"), "once only");
 }
 
-TEST_F(ShapeFileCommands, PrintPositionVolumeGenusAndWinding) {
+TEST_F(ShapeFileCommands, InfoPrintsBoundingBoxVolumeGenusAndWinding) {
   const auto info = [&](const std::string& name, const Shape& shape) {
     write_off(at(name), shape);
     return nlohmann::json::parse(run("info --format json @" + name).output);
@@ -138,7 +138,7 @@ TEST_F(ShapeFileCommands, PrintPositionVolumeGenusAndWinding) {
   EXPECT_EQ(info("cloud.off", cloud)["winding"], "none");
 }
 
-TEST_F(ShapeFileCommands, ListInfoOfSeveralShapesInOrder) {
+TEST_F(ShapeFileCommands, InfoListsSeveralShapesInTheOrderOfArguments) {
   const auto infos = nlohmann::json::parse(run("info --format json @sphere.off @box.off").output);
   ASSERT_EQ(infos.size(), 2U);
   EXPECT_EQ(infos[0]["file"], at("sphere.off").string());
@@ -150,13 +150,13 @@ TEST_F(ShapeFileCommands, WritePicturesOfTheRequestedSizeAndView) {
     succeeded(run("sdf @box.off --method cone_sdf --replace -o @x.png " + more));
     return text_of(at("x.png"));
   };
-  const std::string usual = picture("");
-  EXPECT_EQ(picture("--up y --picture-size 640x480"), usual);
+  const std::string defaults = picture("");
+  EXPECT_EQ(picture("--up y --picture-size 640x480"), defaults);
   EXPECT_EQ(picture("--picture-size 300x200").substr(16, 8), std::string("\0\0\x01\x2c\0\0\0\xc8", 8));
-  EXPECT_NE(picture("--view 1,0,0"), usual);
-  EXPECT_NE(picture("--up z"), usual);
+  EXPECT_NE(picture("--view 1,0,0"), defaults);
+  EXPECT_NE(picture("--up z"), defaults);
   EXPECT_NE(picture("--view 1,0,0 --up z"), picture("--view 1,0,0"));
-  EXPECT_NE(picture("--view 0,1,0"), usual);
+  EXPECT_NE(picture("--view 0,1,0"), defaults);
   for (const char* wrong : {"--picture-size 300", "--picture-size 0x5", "--picture-size 1e9x1", "--view up",
                             "--view 1,2", "--view 0,0,0"}) {
     EXPECT_EQ(run(std::string("sdf @box.off --method cone_sdf -o @x.png ") + wrong).status, 2) << wrong;

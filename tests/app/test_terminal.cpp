@@ -17,7 +17,7 @@ TEST(ProgressText, OmitsAnUnknownRate) {
   EXPECT_EQ(progress_text("models", 9, 9, 0), "models 9/9");
 }
 
-TEST(PrintableLines, KeepLineBreaksAndReplaceEscapes) {
+TEST(PrintableLines, KeepLineBreaksAndReplaceTerminalEscapes) {
   EXPECT_EQ(printable_lines("a,b\tc\n\x1b[31md\n"), "a,b\tc\n?[31md\n");
   EXPECT_EQ(printable_lines("e\u202E\n\nf"), "e?\n\nf");
   EXPECT_EQ(printable_lines(""), "");

@@ -50,7 +50,7 @@ TEST_F(ViewCommand, ColoursUseTheRequestedRangeThresholdAndUnit) {
   EXPECT_EQ(field["below"], 1.5);
 }
 
-TEST_F(ViewCommand, InitialViewIsUpright) {
+TEST_F(ViewCommand, InitialViewHasTheUpAxisVertical) {
   const auto up_shown = [&](const std::string& name, const std::string& more) {
     EXPECT_EQ(view(quoted(name) + " --field cone_sdf --no-parts " + more).status, 0);
     const ordered_json axes = page()["shapes"][0]["axes"];
@@ -70,14 +70,14 @@ TEST_F(ViewCommand, InitialViewIsUpright) {
   }
 }
 
-TEST_F(ViewCommand, PageContainsTheWarningsOfShapes) {
+TEST_F(ViewCommand, PageContainsTheWarningAboutAHollowShape) {
   write_off(at("hollow.off"), test::joined({test::sphere(2, 2), test::flipped(test::sphere(1, 2))}));
   succeeded(view("@hollow.off --field offset_sdf --no-parts"));
   ASSERT_EQ(page()["warnings"].size(), 1U);
   EXPECT_THAT(page()["warnings"][0].get<std::string>(), testing::AllOf(HasSubstr("hollow.off"), HasSubstr("hull")));
 }
 
-TEST_F(ViewCommand, ShowsOffsetAndConventionalSdfPartsAndNormalsByDefault) {
+TEST_F(ViewCommand, ShowsPartsNormalsAndTwoKindsOfSdfByDefault) {
   const Outcome outcome = succeeded(view("@capsule.off --offset 0.02"));
   EXPECT_EQ(outcome.output, "");
   EXPECT_THAT(field_names(), ElementsAre("SDF of the offset surface", "Conventional SDF"));
@@ -92,7 +92,7 @@ TEST_F(ViewCommand, ShowsOffsetAndConventionalSdfPartsAndNormalsByDefault) {
   EXPECT_EQ(shape["fields"][0]["high"], expected.maxCoeff());
 }
 
-TEST_F(ViewCommand, ShowsTheRequestedFields) {
+TEST_F(ViewCommand, ShowsTheRequestedScalarFields) {
   const std::string calls =
       R"( --no-parts --field centricity --field offset_sdf,offset=0.03 --field '{"type": "heat_kernel", "time": 0.1}')";
   ASSERT_EQ(view("@capsule.off" + calls).status, 0);

@@ -21,7 +21,7 @@ TEST(ResamplingUnits, AverageIsTheSameWhetherQueriesOrClassesAreResampled) {
   }
 }
 
-TEST(ResamplingUnits, AreClassesOrQueries) {
+TEST(ResamplingUnits, HaveTheMeanScoresAndWeightsOfClassesOrQueries) {
   const UnitValues of_classes = unit_values_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_EQ(of_classes.values, (Eigen::MatrixXd(2, 1) << 2, 10).finished());
   EXPECT_EQ(of_classes.weights, (Eigen::VectorXd(2) << 0.75, 0.25).finished());
@@ -29,7 +29,7 @@ TEST(ResamplingUnits, AreClassesOrQueries) {
             (Eigen::VectorXd(4) << 1.0 / 6, 0.5, 1.0 / 6, 1.0 / 6).finished());
 }
 
-TEST(ResamplingUnits, MeanOfContributionsIsTheAverageScore) {
+TEST(ResamplingUnits, MeanOfWeightedContributionsIsTheAverageScore) {
   const UnitValues units = unit_values_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_DOUBLE_EQ(contributions(units.values.col(0), units.weights).mean(), 4);
 }
@@ -101,7 +101,7 @@ TEST(Bootstrap, ResamplesHaveTheStandardErrorOfTheMean) {
   EXPECT_NEAR(spread(averages.col(0)) / standard_error, 1, 0.03);  // four standard deviations of the ratio
 }
 
-TEST(Bootstrap, IntervalOfEqualUnitsHasWidthZero) {
+TEST(Bootstrap, ConfidenceIntervalOfEqualScoresHasWidthZero) {
   const UnitValues units{Eigen::MatrixXd::Constant(7, 1, 0.5), Eigen::VectorXd::Constant(7, 1.0 / 7)};
   const ConfidenceInterval interval = bootstrap_intervals(units).front();
   EXPECT_DOUBLE_EQ(interval.low, 0.5);

@@ -67,7 +67,7 @@ TEST(DistanceOverview, ContainsMeansOfBlocksForManyModels) {
   }
 }
 
-TEST(DistanceOverview, DoesNotDependOnTheOrderOfRows) {
+TEST(DistanceOverview, DoesNotDependOnTheOrderInWhichRowsArrive) {
   for (const Eigen::Index models : {40, 1500}) {
     const DistanceMatrix distances = numbers(models);
     const std::vector<int> labels = labels_of(models);

@@ -59,7 +59,7 @@ int class_size(const std::vector<int>& labels, int label) {
   return static_cast<int>(std::ranges::count(labels, label));
 }
 
-TEST(Evaluation, UsesTheGradesOfEachQuery) {
+TEST(Evaluation, NormalisedGainUsesTheRelevanceGradesOfEachQuery) {
   // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
   // last.
   constexpr Eigen::Index queries = 301;  // more than one block
@@ -84,7 +84,7 @@ TEST(Evaluation, UsesTheGradesOfEachQuery) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, ScoresOfEachQueryMatchTheLiteralFormulas, ()) {
+RC_GTEST_PROP(Evaluation, ScoresOfEachQueryMatchANaiveImplementation, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   for (std::size_t i = 0; i < result.queries.size(); ++i) {
@@ -97,7 +97,7 @@ RC_GTEST_PROP(Evaluation, ScoresOfEachQueryMatchTheLiteralFormulas, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, ByRowsMatchesTheWholeMatrix, ()) {
+RC_GTEST_PROP(Evaluation, RowByRowGivesTheScoresOfTheWholeMatrix, ()) {
   const EvaluationCase random = *cases_with_ties(600);
   const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
   const Evaluation whole = evaluate(random.distances, random.labels, options);
@@ -172,7 +172,7 @@ std::vector<double> naive_curve(const EvaluationCase& data, const Evaluation& re
   return curve;
 }
 
-RC_GTEST_PROP(Evaluation, CurvesMatchTheLiteralFormulas, ()) {
+RC_GTEST_PROP(Evaluation, PrecisionRecallCurvesMatchANaiveImplementation, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   for (const bool macro : {false, true}) {
@@ -211,7 +211,7 @@ RC_GTEST_PROP(Evaluation, IgnoresTheDiagonal, ()) {
   RC_ASSERT(same_results(scores_of(data), scores_of(changed)));
 }
 
-RC_GTEST_PROP(Evaluation, PermutesScoresWithTheModels, ()) {
+RC_GTEST_PROP(Evaluation, ScoresOfModelsDoNotDependOnTheOrderOfModels, ()) {
   const EvaluationCase data = *cases_without_ties();
   std::vector<std::size_t> order(data.labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -275,7 +275,7 @@ TEST(Evaluation, RejectsInputsOfDifferentSizes) {
               HasSubstr("minimum_class_size is 0"));
 }
 
-TEST(Evaluation, CountsJudgedQueriesWithoutRelevantModelsForMinimumClassSizeOne) {
+TEST(Evaluation, MinimumClassSizeOneIncludesJudgedQueriesWithoutRelevantModels) {
   RetrievalTask task;
   task.query_classes = {0, 1};
   task.target_classes = {0, 0};
@@ -360,7 +360,7 @@ TEST(Evaluation, MacroCurveIsTheMeanOfTheCurvesOfClasses) {
   }
 }
 
-TEST(Evaluation, BprefByRowsMatchesTheWholeMatrix) {
+TEST(Evaluation, BinaryPreferenceRowByRowEqualsThatOfTheWholeMatrix) {
   // More queries than one block, each with its own relevant, irrelevant and unjudged models.
   constexpr Eigen::Index queries = 300;
   RandomNumbers random(5);

@@ -30,7 +30,7 @@ TEST(EvaluationPrograms, TiersOfShrec21CountOneHitTooMany) {
   EXPECT_DOUBLE_EQ(score("shrec21", "shrec21.ST", later), (1.0 + 1) / 4);
 }
 
-TEST(EvaluationPrograms, Shapenet16DividesByTheNumberOfHitsFound) {
+TEST(EvaluationPrograms, Shapenet16DividesAveragePrecisionByTheNumberOfHitsFound) {
   // Two of five relevant models, at ranks 1 and 3.
   const RankedList list =
       list_of_runs({{.size = 1, .hits = 1}, {.size = 1, .hits = 0}, {.size = 1, .hits = 1}}, false, 3);
@@ -39,7 +39,7 @@ TEST(EvaluationPrograms, Shapenet16DividesByTheNumberOfHitsFound) {
   EXPECT_DOUBLE_EQ(score("shapenet16", "P@N", list), 2.0 / 3);
 }
 
-TEST(EvaluationPrograms, PytorchMetricLearningCountsHitsAmongTheFirstR) {
+TEST(EvaluationPrograms, PytorchMetricLearningIgnoresHitsBeyondTheNumberOfRelevantModels) {
   const RankedList list = list_of_hits({false, true, true});
   EXPECT_DOUBLE_EQ(score("pytorch_metric_learning", "pytorch_metric_learning.MAP@R", list), (1.0 / 2) / 2);
   EXPECT_DOUBLE_EQ(score("pytorch_metric_learning", "mAP", list), (1.0 / 2 + 2.0 / 3) / 2);
@@ -47,7 +47,7 @@ TEST(EvaluationPrograms, PytorchMetricLearningCountsHitsAmongTheFirstR) {
 }
 
 // 0.8 * 3 is nearer to two hits than to three.
-TEST(EvaluationPrograms, TrecEvalRoundsRecallLevels) {
+TEST(EvaluationPrograms, TrecEvalRoundsRecallLevelsToWholeHits) {
   std::vector<bool> hits(10, false);
   hits[0] = hits[1] = hits[9] = true;
   const RankedList list = list_of_hits(hits);
@@ -56,7 +56,7 @@ TEST(EvaluationPrograms, TrecEvalRoundsRecallLevels) {
   EXPECT_DOUBLE_EQ(precision_at_levels(list, CurveKind::trec_eval, 3)[9], 0.3);
 }
 
-TEST(EvaluationPrograms, HaveOneProtocolEach) {
+TEST(EvaluationPrograms, SelectProtocolMinimumClassSizeAndMeasuresByName) {
   EXPECT_EQ(options_of_evaluator("psb_table").minimum_class_size, 3);
   EXPECT_TRUE(options_of_evaluator("shapenet16").finds_itself);
   EXPECT_EQ(options_of_evaluator("trec_eval").protocol, Protocol::trec);

@@ -36,7 +36,7 @@ Eigen::MatrixXd areas_of_demsar() {
       .finished();
 }
 
-TEST(RankComparison, MatchesRanksAndCriticalDifferenceOfDemsar) {
+TEST(RankComparison, MatchesRanksAndCriticalDifferencePublishedByDemsar) {
   const RankComparison comparison = compare_by_ranks(areas_of_demsar());
   EXPECT_NEAR(comparison.mean_ranks[0], 3.143, 5e-4);
   EXPECT_NEAR(comparison.mean_ranks[1], 2.000, 5e-4);
@@ -52,7 +52,7 @@ TEST(RankComparison, MatchesRanksAndCriticalDifferenceOfDemsar) {
               ElementsAre(HomogeneousGroup{0, 2}, HomogeneousGroup{2, 3}));
 }
 
-TEST(RankComparison, MatchesTheStatisticOfDemsarWithoutTieCorrection) {
+TEST(RankComparison, MatchesFriedmansStatisticPublishedByDemsarWithoutTieCorrection) {
   const FriedmanTest test = compare_by_ranks(areas_of_demsar()).friedman;
   EXPECT_NEAR(test.chi_squared * test.tie_correction, 9.28, 5e-3);
   // 4^3 - 4 of "mushroom" and 2^3 - 2 of three pairs, over 14 (4^3 - 4).
@@ -110,7 +110,7 @@ TEST(RankIntervals, HaveWidthZeroForConstantRanks) {
   EXPECT_THROW(rank_intervals(ranks.topRows(1)), ArgumentError);
 }
 
-TEST(RankIntervals, AreRoundedOutwards) {
+TEST(RankIntervals, AreMirroredIfTheRanksAreReversed) {
   const auto value = [](Eigen::Index i, Eigen::Index j) { return std::sin(static_cast<double>(7 * i + 3 * j * j)); };
   const Eigen::MatrixXd ranks = Eigen::MatrixXd::NullaryExpr(6, 4, value);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -121,7 +121,7 @@ TEST(RankIntervals, AreRoundedOutwards) {
   }
 }
 
-TEST(RankComparison, OmitsPairsForMoreThanFiftyMethods) {
+TEST(RankComparison, OmitsPairwiseDifferencesForMoreThanFiftyMethods) {
   const Eigen::MatrixXd values = Eigen::RowVectorXd::LinSpaced(51, 0, 1).replicate(3, 1);
   EXPECT_EQ(compare_by_ranks(values.leftCols(50)).pairs.size(), 1225U);
   EXPECT_TRUE(compare_by_ranks(values).pairs.empty());
@@ -132,7 +132,7 @@ TEST(RankComparison, EqualValuesShareTheMeanOfTheirRanks) {
   EXPECT_EQ(comparison.ranks, (Eigen::MatrixXd(1, 4) << 2.5, 1, 2.5, 4).finished());
 }
 
-TEST(RankComparison, IdenticalRankingsHaveTheSmallestPValue) {
+TEST(RankComparison, RankingsIdenticalOnAllDataSetsHaveTheSmallestPValue) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
@@ -167,7 +167,7 @@ TEST(RankComparison, RejectsNonFiniteValues) {
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Ones(2, 2), 1), ArgumentError);
 }
 
-RC_GTEST_PROP(RankComparison, GroupsMatchThePValuesOfPairs, ()) {
+RC_GTEST_PROP(RankComparison, GroupsContainThePairsWithoutASignificantDifference, ()) {
   const auto sets = *rc::gen::inRange<Eigen::Index>(2, 12);
   const auto methods = *rc::gen::inRange<Eigen::Index>(2, 8);
   Eigen::MatrixXd values(sets, methods);

@@ -18,7 +18,7 @@ std::vector<HomogeneousGroup> groups_of(const std::vector<double>& ranking, doub
                             [&](std::size_t i, std::size_t j) { return std::abs(ranking[i] - ranking[j]) > critical; });
 }
 
-TEST(HomogeneousGroups, AreTheLargestRunsWithoutASignificantDifference) {
+TEST(HomogeneousGroups, AreMaximalRangesOfRanksWithoutASignificantDifference) {
   // 9 and 8 do not differ by more than 1.5, 9 and 7 do, 8 and 7 do not; 3 stands alone.
   EXPECT_THAT(groups_of({9, 8, 7, 3}, 1.5),
               ElementsAre(HomogeneousGroup{0, 1}, HomogeneousGroup{1, 2}, HomogeneousGroup{3, 3}));

@@ -70,7 +70,7 @@ TEST(Evaluation, MatchesScoresComputedByHandForSevenModels) {
   expect_measures(result.micro, {.571429, .428571, .928571, .595238, .718910}, 5e-7);
 }
 
-RC_GTEST_PROP(FirstTier, UnderThePsbProtocolFollowsFromThatUnderThePaperProtocol, ()) {
+RC_GTEST_PROP(FirstTier, OfThePsbProtocolFollowsFromThePaperProtocolAndClassSize, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation psb = evaluate(data.distances, data.labels, by_protocol(Protocol::psb));
   const Evaluation paper = evaluate(data.distances, data.labels, by_protocol(Protocol::paper));

@@ -111,7 +111,7 @@ TEST(MatrixChecks, DetectATriangularMatrix) {
   EXPECT_FALSE(check_matrix(Matrix(sound(50) + Matrix(sound(50).triangularView<Eigen::Lower>())), true).triangular);
 }
 
-TEST(MatrixChecks, DetectSimilarities) {
+TEST(MatrixChecks, DetectSimilaritiesInPlaceOfDistances) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
@@ -121,7 +121,7 @@ TEST(MatrixChecks, DetectSimilarities) {
   EXPECT_EQ(check_matrix(masked, true).nonzero_diagonal, 0);
 }
 
-TEST(MatrixChecks, AreIndependentOfTheBlockSize) {
+TEST(MatrixChecks, FindTheSameAnomaliesForAnyBlockSize) {
   Matrix distances = sound(100);
   distances.row(60) = distances.row(10).eval();
   distances(3, 50) = -2;
@@ -159,7 +159,7 @@ RC_GTEST_PROP(MatrixChecks, CountEveryAsymmetricPair, ()) {
   RC_ASSERT(found.largest_asymmetry == largest);
 }
 
-TEST(MatrixChecks, IgnoreTheDiagonalBetweenTwoSets) {
+TEST(MatrixChecks, IgnoreSymmetryAndDiagonalOfQueryTargetMatrices) {
   const MatrixFindings found = check_matrix(Matrix::Random(4, 9), false);
   EXPECT_EQ(found.asymmetric_pairs, 0);
   EXPECT_EQ(found.nonzero_diagonal, 0);

@@ -26,7 +26,7 @@ TEST(NearestNeighbour, IgnoresTheQueryItself) {
   EXPECT_EQ(value("NN", list_of_hits({true, true, false}, true)), 1);
 }
 
-TEST(FirstTier, CountsHitsAmongTheFirstR) {
+TEST(FirstTier, IsTheRecallAtTheNumberOfRelevantModels) {
   EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false, false, true, false, false, true})), 1.0 / 3);
 }
 
@@ -34,11 +34,11 @@ TEST(FirstTier, CountsRelevantModelsMissingFromTheListAsMisses) {
   EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false}, false, 3)), 1.0 / 4);
 }
 
-TEST(SecondTier, CountsHitsAmongTheFirstTwiceR) {
+TEST(SecondTier, IsTheRecallAtTwiceTheNumberOfRelevantModels) {
   EXPECT_DOUBLE_EQ(value("ST", list_of_hits({true, false, false, true, false, false, true})), 2.0 / 3);
 }
 
-TEST(SecondTier, CountsAllHitsOfAListShorterThanTwiceR) {
+TEST(SecondTier, CountsAllHitsIfTheListIsShorterThanTheTier) {
   EXPECT_DOUBLE_EQ(value("ST", list_of_hits({false, true, true, true})), 1);
 }
 
@@ -50,7 +50,7 @@ TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAtRank32) {
   EXPECT_DOUBLE_EQ(value("E", list_of_hits(hits)), 2 / (1 / precision + 1 / recall));
 }
 
-TEST(EMeasure, UsesAllRanksOfAShorterList) {
+TEST(EMeasure, UsesAllRanksOfAListShorterThan32) {
   // Four results, two of them relevant, all found: precision 1/2, recall 1.
   EXPECT_DOUBLE_EQ(value("E", list_of_hits({false, true, false, true})), 2.0 / 3);
 }
@@ -106,11 +106,11 @@ TEST(F1AtK, IsTheHarmonicMeanOfPrecisionAndRecall) {
   EXPECT_EQ(value("F1@1", list_of_hits({false, true})), 0);
 }
 
-TEST(RPrecision, IsThePrecisionAtRankR) {
+TEST(RPrecision, IsThePrecisionAtTheNumberOfRelevantModels) {
   EXPECT_DOUBLE_EQ(value("R-prec", list_of_hits({true, false, true, true})), 2.0 / 3);
 }
 
-TEST(ReciprocalRank, UsesTheFirstHit) {
+TEST(ReciprocalRank, IsTheReciprocalOfTheRankOfTheFirstHit) {
   EXPECT_EQ(value("MRR", list_of_hits({false, false, false, true, true})), 0.25);
   EXPECT_EQ(value("MRR", list_of_hits({false}, false, 1)), 0);
 }
@@ -137,7 +137,7 @@ TEST(NormalisedDiscountedGain, IsExactlyOneForAPerfectList) {
   EXPECT_EQ(value("nDCG", list_of_runs({{19, 19}, {580, 0}})), 1);
 }
 
-TEST(BullsEye, CountsTheQueryUnderEveryProtocol) {
+TEST(BullsEye, CountsTheQueryAsRelevantUnderEveryProtocol) {
   // A class of three: six ranks with the query.
   EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({false, true, false, false, false, true})), 2.0 / 3);
   EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
@@ -261,7 +261,7 @@ TEST(NormalisedDiscountedGain, UsesGradesAsGains) {
   EXPECT_DOUBLE_EQ(value("mAP", list), (1 + 2.0 / 3) / 3);  // ignores grades
 }
 
-TEST(BinaryPreference, CountsJudgedMissesBeforeHits) {
+TEST(BinaryPreference, FallsWithJudgedNonRelevantModelsBeforeEachHit) {
   // Misses at ranks 2, 4 and 5, of which that at rank 4 is not judged: 0, 1, 2 before the hits at 1, 3, 6.
   const RankedList list = list_of_runs({{1, 1}, {1, 0}, {1, 1}, {.size = 2, .hits = 0, .misses = 1}, {1, 1}}, false, 1);
   EXPECT_EQ(list.judged_misses, 2U);

@@ -108,7 +108,7 @@ TEST(MethodComparison, RejectsASingleMethodASingleClassAndInfiniteScores) {
 }
 
 // The randomisation of n units has 2^n outcomes, and the two with all signs equal are indistinguishable.
-TEST(MethodComparison, PValueIsAtLeastTheSmallestPossible) {
+TEST(MethodComparison, SmallestPossiblePValueFollowsFromUnitsAndResamples) {
   EXPECT_EQ(min_attainable_p_value({}, 3), 0.25);
   EXPECT_EQ(min_attainable_p_value({.resampling = {.resamples = 9}}, 30), 0.1);
   EXPECT_EQ(min_attainable_p_value({.test = PairTest::bootstrap, .resampling = {.resamples = 99}}, 3), 0.01);
@@ -152,14 +152,14 @@ TEST(ClassPValue, IsOneForASingleClassOrClassesThatContradictTheAverage) {
   EXPECT_EQ(class_p_value(Eigen::VectorXd::Constant(6, 0.5), std::vector<int>{0, 0, 1, 1, 2, 2}), 0.25);
 }
 
-TEST(MinClassEffect, GrowsWithPairsAndFallsWithClasses) {
+TEST(MinClassEffect, GrowsWithTheNumberOfPairsAndFallsWithMoreClasses) {
   EXPECT_NEAR(min_class_effect(6, 1, 0.05), 2.570581835636314 / std::sqrt(6.0), 1e-12);
   EXPECT_GT(min_class_effect(6, 325, 0.05), 4);
   EXPECT_LT(min_class_effect(30, 325, 0.05), 1);
   EXPECT_EQ(min_class_effect(1, 1, 0.05), std::numeric_limits<double>::infinity());
 }
 
-TEST(MethodComparison, TTestWeighsUnitsLikeTheAverage) {
+TEST(MethodComparison, TTestWeighsQueriesLikeTheMacroAverage) {
   // One class of three queries and one of one: under macro the last query counts three times as much as the others.
   const Eigen::MatrixXd per_query{{0.5, 0.4}, {0.7, 0.4}, {0.3, 0.1}, {0.9, 0.2}};
   const std::vector<int> classes = {0, 0, 0, 1};

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 constexpr double curve_rounding = 1e-15;
 
-TEST(RecallLevels, AreTwentyUnderThePsbAndElevenFromZeroUnderThePaperProtocol) {
+TEST(RecallLevels, AreTwentyForPsbCurvesAndElevenForPaperCurves) {
   const auto psb = recall_levels(CurveKind::psb);
   ASSERT_EQ(psb.size(), 20U);
   EXPECT_EQ(psb.front(), 0.05);

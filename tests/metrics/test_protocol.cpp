@@ -65,7 +65,7 @@ TEST(TieOrders, ConvertToAndFromNames) {
 }
 
 // Brute force, for data sets of up to six models: the mean over all 720 orders, the best and the worst.
-RC_GTEST_PROP(TieOrders, ExpectedScoreIsTheMeanOverAllOrdersBetweenItsBounds, ()) {
+RC_GTEST_PROP(TieOrders, ExpectedScoreIsTheMeanAndBoundsTheExtremesOverAllOrders, ()) {
   const EvaluationCase data = *cases_with_ties(6);
   const Evaluation expected = evaluate_case(data, Ties::expected);
   const Evaluation optimistic = evaluate_case(data, Ties::optimistic);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(TieOrders, GiveEqualScoresWithoutTies, ()) {
   }
 }
 
-RC_GTEST_PROP(TieOrders, IndexAndExpectedScoresLieBetweenTheBounds, ()) {
+RC_GTEST_PROP(TieOrders, IndexAndExpectedScoresLieBetweenPessimisticAndOptimisticScores, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Eigen::ArrayXXd most = evaluate_case(data, Ties::optimistic).per_query.array() + protocol_rounding;
   const Eigen::ArrayXXd least = evaluate_case(data, Ties::pessimistic).per_query.array() - protocol_rounding;
@@ -129,7 +129,7 @@ RC_GTEST_PROP(TieOrders, IndexAndExpectedScoresLieBetweenTheBounds, ()) {
   }
 }
 
-RC_GTEST_PROP(TieOrders, BoundsOfFirstTierMatchAllOrders, ()) {
+RC_GTEST_PROP(TieOrders, FirstTierBoundsEqualPessimisticAndOptimisticScores, ()) {
   const EvaluationCase data = *cases_with_ties();
   const auto first_tier = [&](Ties ties) {
     return evaluate(data.distances, data.labels,

@@ -132,7 +132,7 @@ TEST(RankedList, UsesJudgementsForRelevance) {
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 0}, RankRun{2, 2}, RankRun{1, 0}));
 }
 
-TEST(RankedList, AcceptsAListThatEndsBeforeAllModels) {
+TEST(RankedList, MayEndBeforeAllModelsAreRanked) {
   const RankedList list = list_of(std::vector<ListedModel>{{2, 2}, {1, 1}, {0, 0}}, leave_one_out(alternating));
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{1, 0}));
   EXPECT_EQ(list.length, 2U);
@@ -185,7 +185,7 @@ TEST(RankedList, CountsHitsUpToARank) {
   EXPECT_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 2 + 3 + 5);
 }
 
-TEST(RankedList, AveragesOverAllOrdersOfTies) {
+TEST(RankedList, AveragesHitCountsAndGainsOverAllOrdersOfTies) {
   // Ranks 2 to 4 with two hits in any order.
   const RankedList list = list_of_runs({{1, 1}, {3, 2}});
   EXPECT_DOUBLE_EQ(hits_among_first(list, 3), 1 + 2 * 2.0 / 3);
@@ -236,7 +236,7 @@ TEST(RankedList, HasTheGradesOfItsHits) {
   EXPECT_EQ(list.judged_misses, 1U);
 }
 
-TEST(RankedList, OrdersTiedGradesAsRequested) {
+TEST(RankedList, OrdersTiedModelsByGradeAsRequested) {
   const auto runs = [&](Ties ties) {
     return list_of(std::vector<double>{5, 5, 9, 5, 7}, graded_task(), {.protocol = Protocol::trec, .ties = ties}).runs;
   };

@@ -50,7 +50,7 @@ TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
   EXPECT_EQ(confusion_matrix(nearest_of(on_a_line({0, 1, 4, 2, 3.5, 7, 9})), labels, queries, 2), expected);
 }
 
-TEST(ConfusionMatrix, HasRowsOfQueriesOnlyButNearestModelsOfTheWholeCollection) {
+TEST(ConfusionMatrix, CountsOnlyQueriesButNearestModelsOfTheWholeCollection) {
   const std::vector<int> labels = {2, 0, 2};
   const std::vector<Eigen::Index> queries = {0, 2};
   const Eigen::MatrixXi expected{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
@@ -81,7 +81,7 @@ RC_GTEST_PROP(ConfusionMatrix, DiagonalMatchesTheNearestNeighbourMeasure, ()) {
   }
 }
 
-TEST(ConfusionMatrix, RejectsInputsOfDifferentSizes) {
+TEST(ConfusionMatrix, RejectsLabelsQueriesAndNearestIndicesOutOfRange) {
   const std::vector<int> labels = {0, 1, 0};
   const std::vector<Eigen::Index> queries = {0};
   const Nearest nearest = {1, 0, 1};

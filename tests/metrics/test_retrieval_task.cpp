@@ -27,7 +27,7 @@ TEST(RetrievalTask, CountsTheWholeClassAsRelevantIfQueriesAreNotTargets) {
   EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 0));
 }
 
-TEST(RetrievalTask, ExcludesTheQueryFromItsJudgements) {
+TEST(RetrievalTask, ExcludesTheQueryFromItsJudgedRelevantModels) {
   RetrievalTask task = leave_one_out(std::vector<int>{0, 1, 2});
   task.judged = {{0, 2}, {0, 2}, {}};
   EXPECT_THAT(relevant_counts(task), ElementsAre(1, 2, 0));

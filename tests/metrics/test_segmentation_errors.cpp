@@ -103,7 +103,7 @@ Labels arbitrary_labels(std::size_t count) {
   return *rc::gen::container<Labels>(count, rc::gen::inRange<std::int32_t>(-2, most));
 }
 
-RC_GTEST_PROP(SegmentationErrors, MatchTheLiteralDefinitions, ()) {
+RC_GTEST_PROP(SegmentationErrors, MatchANaiveImplementationOnRandomLabels, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(1, 60);
   const Labels labels = arbitrary_labels(count);
   const Labels truth = arbitrary_labels(count);

@@ -32,14 +32,14 @@ double exact_p(const Eigen::VectorXd& differences) {
   return as_extreme / std::pow(2.0, n);
 }
 
-TEST(RandomisationTest, PValueIsCloseToTheExactOne) {
+TEST(RandomisationTest, PValueApproximatesTheExactPValueOfAllSignFlips) {
   const Eigen::VectorXd differences = (Eigen::VectorXd(10) << .3, -.1, .2, .25, 0, .1, -.05, .3, .1, -.2).finished();
   const double exact = exact_p(differences);
   ASSERT_GT(exact, 0.02);
   EXPECT_NEAR(p_of(differences, {.resamples = 40000}), exact, 4 * std::sqrt(exact / 40000));
 }
 
-TEST(RandomisationTest, PValueIsNeverZeroAndOneForEqualMethods) {
+TEST(RandomisationTest, PValueIsPositiveAndIsOneForEqualMethods) {
   EXPECT_EQ(p_of(Eigen::VectorXd::Ones(200), {.resamples = 999}), 1.0 / 1000);
   EXPECT_EQ(p_of(Eigen::VectorXd::Zero(200), {.resamples = 999}), 1);
 }

@@ -34,7 +34,7 @@ TEST(CoarseShape, SimplifiesTriangleSoups) {
 }
 
 /// Triangles that have nothing to do with each other, which no edge collapse makes fewer.
-TEST(CoarseShape, HasAtMostTheRequestedFaces) {
+TEST(CoarseShape, OfUnconnectedTrianglesHasAtMostTheRequestedFaces) {
   Shape scattered{.vertices = 10 * Points::Random(3000, 3), .triangles = Triangles(1000, 3)};
   for (std::int32_t f = 0; f < 1000; ++f) scattered.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
   const Shape coarse = coarse_shape(scattered, 200);
@@ -43,7 +43,7 @@ TEST(CoarseShape, HasAtMostTheRequestedFaces) {
 }
 
 /// Needles, each in one column of any grid: merging their vertices leaves none.
-TEST(CoarseShape, KeepsTheLargestFacesIfNoGridKeepsAny) {
+TEST(CoarseShape, KeepsTheLargestFacesIfVertexClusteringLeavesNone) {
   constexpr std::int32_t count = 1000;
   Shape needles{.vertices = Points(3 * count, 3), .triangles = Triangles(count, 3)};
   for (std::int32_t f = 0; f < count; ++f) {
@@ -58,7 +58,7 @@ TEST(CoarseShape, KeepsTheLargestFacesIfNoGridKeepsAny) {
   EXPECT_TRUE(std::ranges::is_sorted(coarse.triangles.col(0)));
 }
 
-TEST(CoarseShape, KeepsShapesBelowTheLimit) {
+TEST(CoarseShape, DoesNotChangeAShapeWithinTheFaceLimit) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(coarse_shape(sphere, sphere.triangles.rows()).triangles, sphere.triangles);
 }

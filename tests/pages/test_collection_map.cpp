@@ -31,7 +31,7 @@ TEST(PlaneEmbedding, RestoresPointsInAPlaneUpToRigidMotion) {
   }
 }
 
-TEST(PlaneEmbedding, GivesModelsWithoutDistancesNoPosition) {
+TEST(PlaneEmbedding, GivesNoPositionToModelsWithoutFiniteDistances) {
   const Eigen::MatrixX2d points{{0, 0}, {4, 0}, {0, 3}};
   Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(4, 4, infinity);
   distances.topLeftCorner(3, 3) = distances_between(points);

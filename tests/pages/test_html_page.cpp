@@ -25,13 +25,13 @@ TEST(Base64, MatchesTheExamplesOfRfc4648) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Base64, EncodesALongTextWithoutPaddingInside) {
+TEST(Base64, PadsALongTextOnlyAtItsEnd) {
   const std::string text = base64(std::string(7 << 20, '\0'));
   EXPECT_EQ(text.size(), 4U * (((7 << 20) + 2) / 3));
   EXPECT_EQ(text.find('='), text.size() - 2);
 }
 
-TEST(RoundToDigits, KeepsTheLeadingDigits) {
+TEST(RoundToDigits, RoundsToTheGivenNumberOfLeadingDigits) {
   EXPECT_EQ(rounded_to_digits(0.123456789, 3), 0.123);
   EXPECT_EQ(rounded_to_digits(98765.4321, 3), 98800);
   EXPECT_TRUE(std::isinf(rounded_to_digits(std::numeric_limits<double>::infinity(), 3)));
@@ -39,7 +39,7 @@ TEST(RoundToDigits, KeepsTheLeadingDigits) {
 
 TEST(HtmlText, EscapesMarkup) { EXPECT_EQ(html_text("<a href=\"x\">&amp;"), "&lt;a href=&quot;x&quot;&gt;&amp;amp;"); }
 
-TEST(ScriptData, EscapesTheEndOfTheScript) {
+TEST(ScriptData, EscapesScriptEndTagsInJson) {
   const nlohmann::ordered_json json{{"</script><!--", "a < b"}};
   const std::string text = script_data(json);
   EXPECT_THAT(text, Not(HasSubstr("<")));
@@ -52,7 +52,7 @@ TEST(PageTemplate, DoesNotFillPlaceholdersInInsertedText) {
   EXPECT_EQ(fill_placeholders("x{{a}}y{{b}}z", marks), "x[{{b}}]y{{a}}z");
 }
 
-TEST(PageFiles, NameTheLicencesOfLibraries) {
+TEST(PageFiles, ContainTheCopyrightNoticesOfLibraries) {
   EXPECT_THAT(std::string(page_files::chart_library()), HasSubstr("Copyright 2010-2020 Mike Bostock"));
   EXPECT_THAT(std::string(page_files::shape_library()), HasSubstr("Copyright 2010-2017 three.js authors"));
   for (const std::string_view library : {page_files::chart_library(), page_files::shape_library()}) {

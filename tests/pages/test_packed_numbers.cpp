@@ -20,7 +20,7 @@ TEST(PackedShorts, AreWrittenInLittleEndianOrder) {
   EXPECT_EQ(packed_shorts({}), "");
 }
 
-TEST(PackedValues, AreSixteenBitLevelsOfTheRange) {
+TEST(PackedValues, AreSixteenBitLevelsBetweenMinimumAndMaximum) {
   const double infinity = std::numeric_limits<double>::infinity();
   // Level 65,534 is 0xfffe, its half 0x7fff; 0xffff is a missing value.
   EXPECT_EQ(packed_values(Eigen::VectorXd{{2, 4, 3, 1, std::nan(""), infinity}}, 2, 2),

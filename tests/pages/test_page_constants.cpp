@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(PageConstants, EqualTheConstantsOfThePageScripts) {
+TEST(PageConstants, AreTheSameInTheProgramAndThePageScripts) {
   EXPECT_EQ(read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/pages/common/constants.mjs"), page_constants_script())
       << "to write the file anew, build the target update_page_constants";
 }

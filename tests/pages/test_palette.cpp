@@ -17,7 +17,7 @@ std::set<std::string> properties(const std::string& rule) {
   return {std::sregex_token_iterator(rule.begin(), rule.end(), property), std::sregex_token_iterator()};
 }
 
-TEST(PagePalette, ThemesHaveTheSameProperties) {
+TEST(PagePalette, LightAndDarkThemesDefineTheSameCssProperties) {
   const std::string style = palette_style();
   const std::size_t dark = style.find(":root[data-theme=\"dark\"]");
   const std::size_t system = style.find("@media (prefers-color-scheme: dark)");
@@ -43,7 +43,7 @@ double contrast(const std::string& style, const std::string& first, const std::s
   return std::max(ratio, 1 / ratio);
 }
 
-TEST(PagePalette, HasSufficientContrast) {
+TEST(PagePalette, ColoursHaveSufficientContrastWithTheBackground) {
   const std::string style = palette_style();
   const std::string dark = style.substr(style.find(":root[data-theme=\"dark\"]"));
   for (const std::string& theme : {style, dark}) {
@@ -55,7 +55,7 @@ TEST(PagePalette, HasSufficientContrast) {
   }
 }
 
-TEST(PagePalette, AccentShadesMatchTheAccentColour) {
+TEST(PagePalette, RgbChannelsMatchTheAccentColour) {
   const std::string style = palette_style();
   static const std::regex accents("--accent: #(..)(..)(..);[^}]*--accent-channels: (\\d+), (\\d+), (\\d+);");
   int themes = 0;
@@ -67,7 +67,7 @@ TEST(PagePalette, AccentShadesMatchTheAccentColour) {
   EXPECT_EQ(themes, 3);
 }
 
-TEST(CssColour, HasTwoDigitsPerChannel) { EXPECT_EQ(css_colour({0, 10, 255}), "#000aff"); }
+TEST(CssColour, HasTwoHexadecimalDigitsPerChannel) { EXPECT_EQ(css_colour({0, 10, 255}), "#000aff"); }
 
 }  // namespace
 }  // namespace shapegauge

@@ -16,7 +16,7 @@ namespace {
 using testing::Contains;
 using testing::Not;
 
-TEST(PackedNumbers, AreSixteenBitFractionsOfTheLargest) {
+TEST(PackedNumbers, AreSixteenBitFractionsOfTheLargestNumber) {
   const double infinity = std::numeric_limits<double>::infinity();
   const nlohmann::ordered_json json = packed_numbers(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
   EXPECT_EQ(json["scale"], 3);
@@ -24,7 +24,7 @@ TEST(PackedNumbers, AreSixteenBitFractionsOfTheLargest) {
   EXPECT_EQ(json["values"], base64(std::string("\0\0\xfe\xff\xff\x7f\xff\xff\xff\xff\0\0", 12)));
 }
 
-TEST(PackedNumbers, OfZerosHaveScaleOneAndOfNoNumbersAreEmpty) {
+TEST(PackedNumbers, HaveScaleOneForZerosAndAreEmptyWithoutNumbers) {
   EXPECT_EQ(packed_numbers(Eigen::VectorXd{{0, 0}})["scale"], 1);
   EXPECT_EQ(packed_numbers(Eigen::VectorXd(0))["values"], "");
 }
@@ -142,7 +142,7 @@ TEST(ReportJson, ExcludesInfiniteDistancesAndListsTheWorstQueriesByAveragePrecis
   EXPECT_EQ(method["evaluations"][0]["worst"].dump(), "[3,2,0,1]") << "of 3 nothing is found, of 2 at rank 3";
 }
 
-TEST(ReportJson, ContainsTheHistogramsOfAMethodOrOfItsInputs) {
+TEST(ReportJson, FusedMethodListsItsPartsInsteadOfHistograms) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto methods = report_json(sample.report)["methods"];
   EXPECT_EQ(methods[0]["histograms"]["bins"], 20);
@@ -151,7 +151,7 @@ TEST(ReportJson, ContainsTheHistogramsOfAMethodOrOfItsInputs) {
   EXPECT_EQ(methods[2]["parts"], (std::vector{0, 1}));
 }
 
-TEST(ReportJson, ContainsIntervalsSettingsAndModelsWithUnclosedGaps) {
+TEST(ReportJson, ContainsConfidenceIntervalsSettingsAndModelsWithGaps) {
   const Report& report = test_report::hostile_report().report;
   const auto json = report_json(report);
   const auto& method = json["methods"][1];
@@ -176,7 +176,7 @@ TEST(ReportJson, ContainsPicturesIfThereAreAny) {
   EXPECT_TRUE(report_json(test_report::plain_report().report)["pictures"].is_null());
 }
 
-TEST(ReportJson, ContainsViewsIfThereAreAny) {
+TEST(ReportJson, ContainsShapeViewsIfThereAreAny) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto views = report_json(sample.report)["views"];
   ASSERT_EQ(views["shapes"].size(), sample.report.ids.size());

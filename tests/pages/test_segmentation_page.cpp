@@ -23,7 +23,7 @@ TEST(SegmentationPage, EscapesMarkupInNames) {
   }
 }
 
-TEST(SegmentationPage, ContainsErrorsPerClassPicturesAndViews) {
+TEST(SegmentationPage, ContainsPicturesViewsAndErrorsPerClass) {
   const SegmentationPage page = test_segmentation::sample_page();
   const auto data = test::json_of_page(segmentation_page(page));
   EXPECT_EQ(data["errors"]["methods"], page.errors->methods);

@@ -120,7 +120,7 @@ TEST(ShapeViewJson, EncodesMissingValuesAsASeparateLevel) {
   EXPECT_EQ(field["high"], 2);
 }
 
-TEST(ShapeViewJson, HasTheInitialViewOfPictures) {
+TEST(ShapeViewJson, AxesMatchTheViewingDirectionOfPictures) {
   ShapeView view = test_view::balls();
   view.up = {0, -1, 0};
   const Json axes = shape_view_json(view)["axes"];
@@ -157,7 +157,7 @@ TEST(ShapeViewJson, ContainsPartsAndNormalsIfThereAreAny) {
   EXPECT_FALSE(bare.contains("parts") || bare.contains("directions") || bare.contains("radii"));
 }
 
-TEST(ShapeViewJson, GivesCloudPointsTheHexagonsOfPictures) {
+TEST(ShapeViewJson, RadiiOfCloudPointsMatchTheHexagonsInPictures) {
   const ShapeView view = test_view::cloud();
   const Json json = shape_view_json(view);
   EXPECT_FALSE(json.contains("triangles"));
@@ -213,7 +213,7 @@ TEST(ViewPage, EscapesMarkupInNames) {
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }
 
-TEST(ViewPage, LoadsNoResourcesAndFillsEveryPlaceholder) {
+TEST(ViewPage, LoadsNoExternalResourcesAndHasNoUnfilledPlaceholders) {
   const std::string html = view_page(test_view::page());
   for (const char* word : {" src=\"http", " href=\"http", "@import", "{{title}}", "{{style}}", "{{main}}",
                            "{{libraries}}", "{{data}}", "{{script}}"}) {

@@ -26,7 +26,7 @@ def objects():
 
 
 @pytest.mark.parametrize("mesh", objects(), ids=["trimesh", "Open3D", "PyVista", "Shape"])
-def test_positional_settings_have_the_same_effect_after_an_object_and_after_arrays(mesh):
+def test_positional_settings_work_alike_after_mesh_objects_and_arrays(mesh):
     both = (VERTICES, FACES)
     for settings in (("offset_sdf", 0.03), ("offset_sdf", 0.2), ("cone_sdf",), ()):
         np.testing.assert_array_equal(sg.sdf(mesh, *settings).values, sg.sdf(*both, *settings).values)
@@ -37,7 +37,7 @@ def test_positional_settings_have_the_same_effect_after_an_object_and_after_arra
     np.testing.assert_array_equal(sg.segment(mesh, "paper", parts=2), sg.segment(*both, "paper", parts=2))
 
 
-def test_arrays_are_accepted_by_keyword_and_clouds_without_faces():
+def test_functions_accept_arrays_by_keyword_and_clouds_without_faces():
     by_name = sg.sdf(vertices=VERTICES, faces=FACES, offset=0.1).values
     np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset_sdf", offset=0.1).values)
     np.testing.assert_array_equal(sg.describe(VERTICES, "d2"), sg.describe(VERTICES, None, "d2"))
@@ -191,7 +191,7 @@ def test_invalid_arguments_of_each_function_raise_an_error_of_one_line(call, wor
         assert words in ("positional", "nonsense", "vertices")
 
 
-def test_measures_accept_one_name_or_any_iterable():
+def test_measures_argument_accepts_one_name_or_any_iterable():
     ft = sg.evaluate(DISTANCES, LABELS, measures=["FT"]).micro
     assert sg.evaluate(DISTANCES, LABELS, measures="FT").micro == ft
     assert sg.evaluate(DISTANCES, LABELS, measures=(name for name in ["FT"])).micro == ft
@@ -200,7 +200,7 @@ def test_measures_accept_one_name_or_any_iterable():
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_compare_keeps_the_order_of_a_list_of_methods():
+def test_compare_names_listed_methods_by_their_position():
     listed = sg.compare([DISTANCES, DISTANCES.max() - DISTANCES], LABELS, resamples=100)
     named = sg.compare({"method 1": DISTANCES, "method 2": DISTANCES.max() - DISTANCES}, LABELS, resamples=100)
     assert listed.results == named.results

@@ -24,7 +24,7 @@ def test_check_reports_the_thin_sides_of_a_plate_with_their_faces():
         assert np.linalg.norm(region.position - region.opposite) == pytest.approx(1)
 
 
-def test_check_passes_a_thick_plate():
+def test_check_passes_a_plate_thicker_than_the_minimum_wall():
     assert sg.check(VERTICES, FACES, 0.9).passes
     assert sg.check(VERTICES, FACES, min_wall=1.2, min_area=241).small_regions == 2
 

@@ -29,7 +29,7 @@ COMPARISON = {key: setting["default"] for key, setting in REGISTERED["options"][
     (sg.rerank, {"method": next(iter(REGISTERED["rerank"]))}),
     (sg.field, {"type": next(iter(REGISTERED["fields"]))}),
 ], ids=lambda value: getattr(value, "__name__", ""))
-def test_defaults_of_functions_match_the_registry(function, registered):
+def test_default_arguments_match_the_registered_settings(function, registered):
     parameters = inspect.signature(function).parameters
     assert {name: parameters[name].default for name in registered} == registered
 
@@ -69,7 +69,7 @@ def test_sdf_accepts_every_setting_of_every_thickness_method():
         sg.sdf(vertices, faces, "inscribed_ball", postprocess=True)
 
 
-def test_sdf_computes_the_field_of_each_method():
+def test_sdf_by_inscribed_balls_equals_the_field_inscribed_ball():
     vertices, faces = bumpy_torus()
     ball = sg.field(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values
     assert (sg.sdf(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values == ball).all()

@@ -88,7 +88,7 @@ def test_unlabelled_models_are_neither_queries_nor_relevant():
         sg.evaluate(DISTANCES, LABELS, missing_labels="x")
 
 
-def test_labels_accept_any_ordered_iterable():
+def test_evaluate_accepts_labels_in_any_ordered_iterable():
     expected = sg.evaluate(DISTANCES, LABELS)
     for labels in (tuple(LABELS), np.array(LABELS), iter(LABELS), (label for label in LABELS), np.array([LABELS]).T,
                    np.array(LABELS, object), np.array(LABELS, "S"), [f" {label}" for label in LABELS]):

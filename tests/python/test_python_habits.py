@@ -45,7 +45,7 @@ def test_evaluate_accepts_condensed_distances_and_a_missing_diagonal():
         same_scores(sg.evaluate(matrix, labels), scores)
 
 
-def test_normals_of_any_length_give_the_same_values():
+def test_sdf_does_not_depend_on_the_length_of_normals():
     vertices, faces = bumpy_torus()
     centres = vertices[faces].mean(axis=1)
     normals = sg.normals(vertices, faces, at="faces")
@@ -53,7 +53,7 @@ def test_normals_of_any_length_give_the_same_values():
     np.testing.assert_allclose(sg.sdf(centres, "inscribed_ball", normals=0.01 * normals).values, expected, rtol=1e-9)
 
 
-def test_fields_can_be_pickled_and_state_their_sample_site():
+def test_fields_can_be_pickled_and_contain_their_sample_points():
     vertices, faces = bumpy_torus()
     field = sg.sdf(vertices, faces)
     np.testing.assert_allclose(field.points, vertices[faces].mean(axis=1), atol=1e-12)
@@ -138,7 +138,7 @@ def test_evaluate_compares_features_by_a_named_distance():
         sg.evaluate(features, labels, distance="l1", similarity=True)
 
 
-def test_subclasses_grade_models_of_a_class():
+def test_subclasses_give_graded_relevance_within_a_class():
     # The query first, then a model of another subclass, of none, and of its own.
     distances = np.array([[0, 1, 2, 3], [1, 0, 2, 3], [1, 2, 0, 3], [1, 2, 3, 0]], dtype=float)
     scores = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=["x", "y", "a", "x"])
@@ -170,7 +170,7 @@ def test_subclasses_and_labels_may_have_any_type(labels, subclasses):
     assert scores.micro == expected.micro
 
 
-def test_relevance_matrix_gives_the_scores_of_labels():
+def test_binary_relevance_matrix_gives_the_same_scores_as_labels():
     distances, labels = toy()
     same = np.equal.outer(labels, labels)
     by_labels = sg.evaluate(distances, labels, protocol="trec")
@@ -245,7 +245,7 @@ def test_run_accepts_a_dict_and_reports_progress(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name, folder", [("..", "unnamed"), (".", "unnamed"), ("a/b c", "a_b_c")])
-def test_run_writes_into_results_and_the_experiment_name_by_default(tmp_path, monkeypatch, name, folder):
+def test_run_writes_to_a_results_folder_named_after_the_experiment(tmp_path, monkeypatch, name, folder):
     monkeypatch.chdir(tmp_path)
     with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
         configuration = json.load(file)
@@ -273,7 +273,7 @@ def test_run_does_not_overwrite_its_inputs(tmp_path):
     assert sorted(path.name for path in (tmp_path / "data").iterdir()) == ["a", "b"]
 
 
-def test_error_messages_of_run_name_python_arguments(tmp_path):
+def test_error_messages_of_run_refer_to_python_arguments(tmp_path):
     (tmp_path / "summary.csv").write_text("")
     configuration = {"name": "made", "dataset": {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}},
                      "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}

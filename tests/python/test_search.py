@@ -145,7 +145,7 @@ def test_index_does_not_overwrite_files_that_are_not_indexes(models):
     assert (models / "flat0.off").read_bytes() == before
 
 
-def test_search_messages_name_python_arguments(models, tmp_path):
+def test_search_messages_refer_to_python_arguments(models, tmp_path):
     with pytest.warns(UserWarning, match="choose another file with index$"):
         sg.Index(models, tmp_path / "absent" / "index", method=METHOD, cache="")
     opened(models, index=tmp_path / "one")
@@ -158,7 +158,7 @@ def test_search_messages_name_python_arguments(models, tmp_path):
         sg.Index(models, method=reranked, signature="better", cache="")
 
 
-def test_frame_of_an_answer_lists_names_files_and_distances(models):
+def test_data_frame_of_search_results_lists_names_files_and_distances(models):
     pytest.importorskip("pandas")
     frame = opened(models).search(models / "flat0.off", k=4).to_frame()
     assert list(frame.columns) == ["name", "file", "distance"]
@@ -179,7 +179,7 @@ def test_search_rejects_zero_results_and_arguments_of_the_wrong_type(models, arg
         index.search(**{"query": models / "flat0.off", **arguments})
 
 
-def test_index_rejects_missing_collections_and_contradictory_methods(models, tmp_path):
+def test_index_rejects_missing_collections_and_incompatible_arguments(models, tmp_path):
     for arguments, words in [((tmp_path / "absent", ), "absent"), ((models / "flat0.off", ), "is not a collection")]:
         with pytest.raises(sg.InputError, match=words):
             sg.Index(*arguments)

@@ -100,7 +100,7 @@ def test_normals_of_a_cloud_point_outward(torus):
     assert ((normals * (vertices - middle)).sum(axis=1) > 0).mean() > 0.97
 
 
-def test_field_computes_any_registered_field(torus):
+def test_field_computes_centricity_and_rejects_unknown_types(torus):
     values, weights = sg.field(*torus, type="centricity", sources=10)
     assert values.shape == weights.shape == (1920,)
     assert (values > 0).all()
@@ -208,7 +208,7 @@ def test_features_do_not_depend_on_the_unit_of_a_shape():
 SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]
 
 
-def test_run_writes_the_files_of_the_command_line(tmp_path):
+def test_run_writes_the_same_files_as_the_command_line(tmp_path):
     configuration = os.path.join(CONFIGS, "quickstart.json")
     done = sg.run(configuration, tmp_path / "python", settings=SMALL, cache="")
     sets = [word for one in SMALL for word in ("--set", one)]
@@ -218,7 +218,7 @@ def test_run_writes_the_files_of_the_command_line(tmp_path):
     assert done.left_out == [] and "Results in" in repr(done)
 
 
-def test_run_of_a_segmentation_writes_the_files_of_the_command_line(tmp_path):
+def test_run_of_a_segmentation_writes_the_same_files_as_the_command_line(tmp_path):
     document = {
         "name": "parts",
         "dataset": {"generate": {"classes": 1, "models_per_class": 2, "faces": 1000}},

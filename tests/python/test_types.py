@@ -26,7 +26,7 @@ def test_every_function_of_the_package_is_annotated(tmp_path):
     assert run.returncode == 0, run.stdout
 
 
-def test_mypy_finds_exactly_the_marked_type_errors(tmp_path):
+def test_mypy_reports_exactly_the_errors_marked_in_a_sample_file(tmp_path):
     source = HERE / "typed_use.py"
     run = mypy(tmp_path, "--follow-imports=silent", source)
     found = {int(line) for line in re.findall(rf"{source.name}:(\d+): error", run.stdout)}

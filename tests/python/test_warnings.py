@@ -43,7 +43,7 @@ def in_python(sentence):
     return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r"--(\w+) auto\b", r"\1='auto'", sentence))
 
 
-def test_offsets_that_do_not_close_the_gaps_give_a_warning(tmp_path):
+def test_offset_too_small_to_close_mesh_gaps_gives_a_warning(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
@@ -69,7 +69,7 @@ def test_offsets_that_do_not_close_the_gaps_give_a_warning(tmp_path):
     assert found == []
 
 
-def test_automatic_offset_is_reported(tmp_path):
+def test_field_contains_the_automatically_chosen_offset(tmp_path):
     sg.write(tmp_path / "cloud.ply", VERTICES)
     field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
     program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "auto", "--timings", tmp_path / "t.json",
@@ -84,7 +84,7 @@ def test_automatic_offset_is_reported(tmp_path):
     assert sg.sdf(VERTICES, FACES, "cone_sdf").offset is None and sg.sdf(VERTICES, FACES, "cone_sdf").normals is None
 
 
-def test_run_names_omitted_models(tmp_path):
+def test_run_warns_of_omitted_models_by_name(tmp_path):
     for model in ("a/one", "a/two", "b/one", "b/two"):
         (tmp_path / "shapes" / model).parent.mkdir(parents=True, exist_ok=True)
         sg.write(tmp_path / "shapes" / f"{model}.off", VERTICES * (2 if "two" in model else 1), FACES)
@@ -116,7 +116,7 @@ def ball_with_outliers(count):
     return np.concatenate([np.reshape(far[:1], (-1, 3)), points, np.reshape(far[1:], (-1, 3))])
 
 
-def test_outliers_are_removed_on_request_or_with_auto(tmp_path):
+def test_outliers_are_removed_on_request_or_with_automatic_offset(tmp_path):
     points = ball_with_outliers(2)
     clean = sg.sdf(points[1:-1], offset="auto")
     for settings in ({"offset": "auto"}, {"offset": clean.offset, "remove_outliers": True}):
@@ -136,7 +136,7 @@ def test_outliers_are_removed_on_request_or_with_auto(tmp_path):
     assert sorted(in_python(line) for line in lines) == sorted(messages)
 
 
-def test_removed_outliers_get_no_part_and_do_not_affect_features():
+def test_removed_outliers_belong_to_no_part_and_do_not_change_features():
     points = ball_with_outliers(2)
     labels, messages = warned(lambda: sg.segment(points, remove_outliers=True))
     assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(messages) == 1
@@ -185,7 +185,7 @@ def test_ties_give_a_warning_with_bounds_of_scores():
     assert found == []
 
 
-def test_models_omitted_as_queries_are_counted():
+def test_warning_counts_models_omitted_as_queries():
     distances, _ = untied()
     scores, found = warned(lambda: sg.evaluate(distances, list("aaabbxy")))
     assert scores.models_left_out == 2
@@ -203,7 +203,7 @@ def test_reranking_warns_as_the_command_line_does(tmp_path):
     assert "looks like a matrix of similarities; re-ranking takes distances" in found[0]
 
 
-def test_warning_of_apparent_similarities_names_the_argument():
+def test_similarities_passed_as_distances_give_a_warning():
     distances, labels = untied()
     similarities = distances.max() - distances
     _, found = warned(lambda: sg.evaluate(similarities, labels))
@@ -213,7 +213,7 @@ def test_warning_of_apparent_similarities_names_the_argument():
     assert scores.micro == sg.evaluate(distances, labels).micro and found == []
 
 
-def test_compare_warns_of_tied_methods_and_too_few_classes():
+def test_compare_warns_of_equal_distances_and_too_few_classes():
     distances, labels = untied()
     methods = {"good": distances, "tied": np.round(distances / 5)}
     _, found = warned(lambda: sg.compare(methods, labels, blocks="classes"))

@@ -54,7 +54,7 @@ struct Terms {
 
 class CollectionSumOfEachKind : public testing::TestWithParam<std::tuple<SumWeights, DistanceScale>> {};
 
-TEST_P(CollectionSumOfEachKind, RowsEqualThoseOfTheSumOfWholeMatrices) {
+TEST_P(CollectionSumOfEachKind, RowsEqualTheRowsOfTheSummedMatrices) {
   const auto& [kind, scale] = GetParam();
   const Terms terms(grouped_points(300, 1));  // more rows than one block
   const DistanceMatrix whole =
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(All, CollectionSumOfEachKind,
                                                           DistanceScale::mean, DistanceScale::local,
                                                           DistanceScale::ranks)));
 
-TEST(CollectionSum, GivesACopyOfAModelTheRowOfTheModel) {
+TEST(CollectionSum, QueryEqualToAModelHasTheDistancesOfThatModel) {
   const Terms terms(grouped_points(80, 2));
   for (const DistanceScale scale : {DistanceScale::local, DistanceScale::ranks}) {
     const CollectionSum sum = terms.sum(SumWeights::agreement, scale);
@@ -80,7 +80,7 @@ TEST(CollectionSum, GivesACopyOfAModelTheRowOfTheModel) {
   }
 }
 
-TEST(CollectionSum, ScalesAnExternalQueryByItsNearestModels) {
+TEST(CollectionSum, DividesQueryDistancesByTheLocalScalesOfQueryAndModel) {
   const std::vector matrices = {point_distances(grouped_points(30, 3), 1)};
   const std::vector<RowSource> rows{rows_of(matrices.front())};
   const std::vector<double> one = {1};
@@ -96,7 +96,7 @@ TEST(CollectionSum, ScalesAnExternalQueryByItsNearestModels) {
   EXPECT_TRUE(sum_row(sum, farther).isApprox(10 * row, 1e-12));
 }
 
-TEST(CollectionSum, ScalesAQueryAmongDuplicatesByAHundredthOfTheMedian) {
+TEST(CollectionSum, LocalScaleOfAQueryHasAPositiveLowerLimit) {
   const std::vector matrices = {point_distances(grouped_points(30, 4), 1)};
   const std::vector<RowSource> rows{rows_of(matrices.front())};
   const CollectionSum sum = collection_sum(30, rows, std::vector<double>{1}, SumWeights::given, DistanceScale::local);
@@ -105,7 +105,7 @@ TEST(CollectionSum, ScalesAQueryAmongDuplicatesByAHundredthOfTheMedian) {
   EXPECT_GT(scales.least, 0);
 }
 
-TEST(CollectionSum, RejectsNegativeMissingOrAllZeroWeightsAndZeroDistances) {
+TEST(CollectionSum, RejectsInvalidWeightsAndMatricesOfOnlyZeros) {
   const Terms terms(grouped_points(20, 5));
   std::vector<RowSource> rows;
   for (const DistanceMatrix& matrix : terms.matrices) rows.push_back(rows_of(matrix));

@@ -108,7 +108,7 @@ TEST(Diffusion, MatchesADirectImplementation) {
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
 }
 
-TEST(Diffusion, InverseIsIdenticalToThatOfTheEigenLibrary) {
+TEST(Diffusion, DistancesEqualACalculationWithTheEigenLibrary) {
   for (const Eigen::Index size : {1, 3, 31, 32, 65, 129, 300, 517}) {
     const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
     const DiffusionOptions options{.neighbours = 5, .tie = 0};
@@ -132,7 +132,7 @@ TEST(Diffusion, MatchesADirectImplementationWithInfiniteDistances) {
   EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks connect some
 }
 
-TEST(Diffusion, SparseRowsMatchTheDenseSolution) {
+TEST(Diffusion, SparseRowSolverMatchesTheDenseSolution) {
   const DistanceMatrix distances = distances_of(arcs(100, 3, 2));  // more than one block of rows
   const DistanceMatrix by_rows = diffused_by_rows(distances);
   const DistanceMatrix symmetric = (by_rows + by_rows.transpose()) / 2;
@@ -140,13 +140,13 @@ TEST(Diffusion, SparseRowsMatchTheDenseSolution) {
   EXPECT_LT(largest_difference(symmetric, diffused(distances)), 2e-6);
 }
 
-TEST(Diffusion, ImprovesRetrievalOfCurvedClasses) {
+TEST(Diffusion, ImprovesTheFirstTierForClassesOfPointsOnArcs) {
   const DistanceMatrix distances = distances_of(arcs(60, 3, 3));
   EXPECT_LT(first_tier(distances, 60), 0.5);
   EXPECT_GT(first_tier(diffused(distances, {.neighbours = 6, .damping = 0.99}), 60), 0.7);
 }
 
-TEST(Diffusion, KeepsTheOriginalOrderOfTies) {
+TEST(Diffusion, OrdersModelsWithoutAffinityByOriginalDistance) {
   // Two groups too far apart for any affinity between them.
   Eigen::MatrixXd points = arcs(20, 2, 4);
   points.bottomRows(20).array() += 1000;
@@ -168,7 +168,7 @@ TEST(AveragedDiffusion, MatchesADirectImplementation) {
   }
 }
 
-TEST(AveragedDiffusion, AutomaticNeighboursAreSixNumbersBetweenFourAndTwenty) {
+TEST(AveragedDiffusion, AveragesSixNeighbourCountsFromFourToTwentyByDefault) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 2));
   const DistanceMatrix automatic = diffused(distances, {.neighbours = {}});
   EXPECT_EQ(automatic, diffused(distances, {.neighbours = {4, 5, 7, 10, 14, 20}}));
@@ -182,7 +182,7 @@ TEST(AveragedDiffusion, DoesNotWorsenRetrievalForClassesOfAnySize) {
   }
 }
 
-TEST(DiffusedDiagonal, MatchesTheDiagonalOfTheInverse) {
+TEST(DiffusedDiagonal, MatchesTheDiagonalOfTheInvertedDiffusionMatrix) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 5));
   for (const double damping : {0.0, 0.3, 0.95}) {
     const auto graph = diffusion_graph(nearest_models(120, 7, rows_of(distances)), 7);
@@ -216,7 +216,7 @@ void expect_same_answer(const std::vector<RankedModel>& found, const std::vector
   }
 }
 
-TEST(DiffusedNearestModels, MatchTheFirstModelsOfTheWholeSortedRow) {
+TEST(DiffusedNearestModels, EqualTheFirstModelsOfTheSortedDiffusedRow) {
   const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
   for (const IntegerList& neighbours : {IntegerList{7}, IntegerList{}, IntegerList{4, 9}}) {
     const DiffusionOptions options{.neighbours = neighbours};
@@ -234,7 +234,7 @@ TEST(DiffusedNearestModels, MatchTheFirstModelsOfTheWholeSortedRow) {
   }
 }
 
-TEST(KeepNearestOption, MovesOnlyTheFormerNearestModelToTheFront) {
+TEST(KeepNearestOption, PutsTheOriginallyNearestModelFirstAndChangesNoOtherDistance) {
   const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
   const DiffusionOptions plain{.neighbours = {}};
   const DiffusionOptions keeping{.neighbours = {}, .keep_nearest = true};
@@ -271,7 +271,7 @@ TEST(KeepNearestOption, NearestModelStaysFirstIfDiffusedDistancesAreNegative) {
   }
 }
 
-TEST(NearestModelsWithQuery, MatchThoseOfTheExtendedCollection) {
+TEST(NearestModelsWithQuery, AppendedQueryGivesTheNearestModelsOfTheExtendedCollection) {
   for (const Eigen::Index models : {1, 3, 6, 40}) {
     Eigen::MatrixXd points = clusters(models + 1, 1, 8);
     if (models > 3) points.row(2) = points.row(models);  // at distance 0 from the last

@@ -30,12 +30,12 @@ DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
   return distance_matrix(signatures);
 }
 
-TEST(DistanceMatrix, ListsTheNamesOfDistances) {
+TEST(DistanceMatrix, ListsTheNamesOfAllDistanceMeasures) {
   EXPECT_THAT(distances().names(),
               testing::ElementsAre("l1", "l2", "cosine", "chi2", "hellinger", "jensen-shannon", "emd"));
 }
 
-TEST(DistanceMatrix, MatchesASmallExampleByHand) {
+TEST(DistanceMatrix, MatchesAHandComputedExample) {
   const Signatures signatures{{0, 0}, {1, 2}, {-1, 0.5F}};
   const DistanceMatrix expected{{0, 3, 1.5}, {3, 0, 3.5}, {1.5, 3.5, 0}};
   EXPECT_EQ(distance_matrix(signatures), expected);
@@ -50,7 +50,7 @@ TEST(DistanceMatrix, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(with_threads(signatures, 5), one);
 }
 
-TEST(DistanceMatrix, RowsMatchTheWholeMatrix) {
+TEST(DistanceMatrix, RowsComputedSeparatelyEqualRowsOfTheWholeMatrix) {
   const Signatures signatures = random_signatures(101, 43, 11);
   for (const std::string& distance : distances().names()) {
     const DistanceMatrix whole = distance_matrix(signatures, distance);
@@ -62,7 +62,7 @@ TEST(DistanceMatrix, RowsMatchTheWholeMatrix) {
   EXPECT_THROW(distance_rows(signatures, 100, 2, distances().at("l1")), ArgumentError);
 }
 
-TEST(DistanceMatrix, BlocksMatchTheWholeMatrix) {
+TEST(DistanceMatrix, BlocksComputedSeparatelyEqualBlocksOfTheWholeMatrix) {
   const Signatures signatures = random_signatures(7, 5, 4);
   const DistanceMatrix whole = distance_matrix(signatures, "l2");
   for (const Eigen::Index first : {0, 2, 4}) {
@@ -81,7 +81,7 @@ std::string error_of(const Signatures& signatures, const std::string& distance) 
   return "no error";
 }
 
-TEST(DistanceMatrix, ErrorsNameTheDistanceOrTheEntry) {
+TEST(DistanceMatrix, ErrorsNameTheUnknownDistanceOrTheNonFiniteEntry) {
   Signatures signatures = Signatures::Ones(4, 3);
   EXPECT_THAT(error_of(signatures, "manhatten"), testing::HasSubstr("\"manhatten\""));
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
@@ -113,7 +113,7 @@ double cancelling_distance(std::span<const float>, std::span<const float>) {
   return 0;
 }
 
-TEST(DistanceMatrix, CanBeInterruptedWithinATile) {
+TEST(DistanceMatrix, CancellationStopsTheComputationAfterFewDistances) {
   const Signatures signatures = random_signatures(500, 4, 1);
   const SignatureBlock block{signatures, 0};
   Cancellation cancellation;
@@ -125,7 +125,7 @@ TEST(DistanceMatrix, CanBeInterruptedWithinATile) {
   EXPECT_LE(calls_of_distance, 32) << "the rest of a row of a tile";
 }
 
-RC_GTEST_PROP(DistanceMatrix, MatchesEigenExpressionsForEveryPair, ()) {
+RC_GTEST_PROP(DistanceMatrix, EveryEntryMatchesTheL1NormOfTheDifference, ()) {
   const auto rows = *rc::gen::inRange<Eigen::Index>(0, 80);
   const auto columns = *rc::gen::inRange<Eigen::Index>(0, 40);
   const Signatures signatures = random_signatures(rows, columns, *rc::gen::arbitrary<unsigned>());

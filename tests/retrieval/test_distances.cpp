@@ -20,13 +20,13 @@ double distance(const std::string& name, const Vector& a, const Vector& b) {
   return distances().at(name).function(a, b);
 }
 
-TEST(Chi2Distance, WeighsDifferencesByTheirSum) {
+TEST(Chi2Distance, DividesSquaredDifferencesByTheSumsOfBins) {
   // (0.25^2 / 0.75 + 0.25^2 / 0.75) / 2, and 0 for the bin that is empty in both.
   EXPECT_NEAR(distance("chi2", Vector{0.5F, 0.25F, 0, 0.25F}, Vector{0.25F, 0.5F, 0, 0.25F}), 1.0 / 12, 1e-15);
   EXPECT_EQ(distance("chi2", Vector{1, 0}, Vector{0, 1}), 1);
 }
 
-TEST(CosineDistance, MeasuresOnlyTheAngle) {
+TEST(CosineDistance, DependsOnlyOnTheAngleBetweenVectors) {
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{5, 5}), 1 - std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{0, 3}), 1, 1e-15);
   EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{-2, 0}), 2, 1e-15);
@@ -40,7 +40,7 @@ TEST(EarthMoversDistance, IsTheMovedMassTimesTheDistanceInBins) {
   EXPECT_EQ(distance("emd", Vector{2}, Vector{5}), 0);
 }
 
-TEST(HellingerDistance, ComparesSquareRoots) {
+TEST(HellingerDistance, MatchesItsFormulaForNormalisedHistograms) {
   // The square root of 1 - sum of sqrt(p q), with p = (1/2, 1/2) and q = (1/8, 7/8).
   EXPECT_NEAR(distance("hellinger", Vector{0.5F, 0.5F}, Vector{0.125F, 0.875F}),
               std::sqrt(1 - std::sqrt(0.5 * 0.125) - std::sqrt(0.5 * 0.875)), 1e-15);
@@ -48,7 +48,7 @@ TEST(HellingerDistance, ComparesSquareRoots) {
   EXPECT_EQ(distance("hellinger", Vector{1, 2, 1}, Vector{2, 4, 2}), 0);
 }
 
-TEST(JensenShannonDistance, IsTheRootOfTheMeanDivergence) {
+TEST(JensenShannonDistance, IsTheSquareRootOfTheMeanDivergenceFromTheAverage) {
   // p = (1, 0), q = (1/2, 1/2), mean (3/4, 1/4): 1 log2(4/3) and 1/2 log2(2/3) + 1/2 log2(2).
   const double divergence = (std::log2(4.0 / 3) + 0.5 * std::log2(2.0 / 3) + 0.5) / 2;
   EXPECT_NEAR(distance("jensen-shannon", Vector{1, 0}, Vector{2, 2}), std::sqrt(divergence), 1e-15);
@@ -97,7 +97,7 @@ TEST(DistanceRegistry, AcceptsAUserDefinedDistance) {
   EXPECT_EQ(distance_matrix(signatures, "chebyshev"), (DistanceMatrix{{0, 3, 2}, {3, 0, 4}, {2, 4, 0}}));
 }
 
-TEST(DistanceRegistry, RejectsIncompleteEntries) {
+TEST(DistanceRegistry, RejectsMissingFunctionsAndEmptyOrDuplicateNames) {
   const auto zero = [](std::span<const float>, std::span<const float>) { return 0.0; };
   EXPECT_THROW(distances().add({.name = "", .function = zero}), ArgumentError);
   EXPECT_THROW(distances().add({.name = "l1", .function = zero}), ArgumentError);

@@ -15,7 +15,7 @@ DistanceMatrix features_with_offset(double offset) {
   return DistanceMatrix{{0, 1.25, 3}, {1, 4.5, 2}, {5, 9.75, 6}, {2, 3, 3.5}}.array() + offset;
 }
 
-TEST(CheckFeatures, AcceptsOrdinaryFeatures) {
+TEST(CheckFeatures, AcceptsSmallNumbersWithoutAWarning) {
   EXPECT_FALSE(check_features(features_with_offset(0)));
   EXPECT_FALSE(check_features(features_with_offset(0.1)));
 }
@@ -30,7 +30,7 @@ TEST(CheckFeatures, RefusesNumbersBeyondSinglePrecision) {
   EXPECT_THROW(check_features(features_with_offset(1e39)), InputError);
 }
 
-TEST(CheckFeatures, RefusesAColumnOfRunningIndices) {
+TEST(CheckFeatures, RefusesAColumnOfRowNumbers) {
   DistanceMatrix features = DistanceMatrix::Random(12, 3);
   EXPECT_FALSE(check_features(features));
   for (const double first : {0.0, 1.0, 2.0}) {

@@ -41,7 +41,7 @@ DistanceMatrix random_distances(Eigen::Index size, std::uint64_t seed) {
 
 const std::vector<double> equal = {1, 1};
 
-TEST(SumOfDistances, DividesByTheScaleAndMultipliesByTheWeight) {
+TEST(SumOfDistances, DividesEachMatrixByItsScaleAndMultipliesByItsWeight) {
   const DistanceMatrix a = line_distances({0, 1, 3});  // 1, 2, 3: median and mean 2
   const DistanceMatrix b = line_distances({0, 4, 6});  // 2, 4, 6: median and mean 4
   const std::vector both = {a, b};
@@ -51,14 +51,14 @@ TEST(SumOfDistances, DividesByTheScaleAndMultipliesByTheWeight) {
   EXPECT_EQ(sum_of_distances(both, weights, DistanceScale::mean)(0, 1), 3 * 0.5 + 2 * 1.0);
 }
 
-TEST(SumOfDistances, DependsOnWhetherTheScaleIsMedianOrMean) {
+TEST(SumOfDistances, DividesDistancesByTheirMedianOrMeanAsChosen) {
   const std::vector one = {line_distances({0, 1, 11})};  // 1, 10, 11
   const std::vector<double> weight = {1};
   EXPECT_EQ(sum_of_distances(one, weight, DistanceScale::median)(0, 1), 0.1);
   EXPECT_NEAR(sum_of_distances(one, weight, DistanceScale::mean)(0, 1), 3.0 / 22, 1e-15);
 }
 
-TEST(SumOfDistances, DoesNotDependOnTheScaleOfAMatrix) {
+TEST(SumOfDistances, DoesNotChangeIfAMatrixIsMultipliedByAConstant) {
   const DistanceMatrix a = random_distances(20, 1);
   const DistanceMatrix b = random_distances(20, 2);
   const std::vector plain = {a, b};
@@ -78,7 +78,7 @@ TEST(FusionOfRanks, ReciprocalRanksMatchAHandComputation) {
   EXPECT_EQ(fused, DistanceMatrix(fused.transpose()));
 }
 
-TEST(FusionOfRanks, BordaCountsLowerRankedModels) {
+TEST(FusionOfRanks, BordaScoresMatchAHandComputation) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const DistanceMatrix b = line_distances({0, 3, 1});
   const std::vector both = {a, b};
@@ -193,7 +193,7 @@ TEST(LocalScale, MatchesADirectImplementation) {
   }
 }
 
-TEST(LocalScale, EqualisesLooseAndTightGroups) {
+TEST(LocalScale, MakesDistancesWithinLooseAndTightGroupsEqual) {
   // The second group is the first, a hundred times as large.
   const DistanceMatrix group = random_distances(12, 4);
   DistanceMatrix both = DistanceMatrix::Constant(24, 24, 1000);
@@ -213,7 +213,7 @@ RC_GTEST_PROP(LocalScale, DoesNotDependOnTheUnitsOfAMatrix, ()) {
   RC_ASSERT((found - expected).cwiseAbs().maxCoeff() <= 1e-12 * expected.maxCoeff());
 }
 
-TEST(LocalScale, IsDefinedForFewEqualAndInfinitelyFarModels) {
+TEST(LocalScale, GivesNoNanForSingleEqualOrInfinitelyDistantModels) {
   const auto alone = [](const DistanceMatrix& matrix) {
     return sum_of_distances({&matrix, 1}, std::vector<double>{1}, DistanceScale::local);
   };
@@ -300,7 +300,7 @@ TEST(SumWeights, DoNotDependOnTheOrderOfModels) {
   EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
 }
 
-TEST(SumWeights, AreUnchangedIfNoMatricesAgree) {
+TEST(SumWeights, AreUnchangedIfAgreementCannotBeMeasured) {
   const std::vector<DistanceMatrix> constant = {DistanceMatrix::Constant(20, 20, 1),
                                                 DistanceMatrix::Constant(20, 20, 2)};
   const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
@@ -313,13 +313,13 @@ TEST(SumWeights, AreUnchangedIfNoMatricesAgree) {
   EXPECT_EQ(sum_weights(few, unequal, SumWeights::agreement), unequal);  // all models are near each other
 }
 
-TEST(LocalSpreadScale, GivesTheSumsOfTheRanksScale) {
+TEST(LocalSpreadScale, GivesTheSameSumsAsTheScaleByRanks) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), random_distances(30, 3)};
   EXPECT_EQ(sum_of_distances(matrices, unequal, DistanceScale::local_spread),
             sum_of_distances(matrices, unequal, DistanceScale::ranks));
 }
 
-TEST(DisagreementWarning, FindsMatricesWithDifferentGroups) {
+TEST(DisagreementWarning, NamesTheMatrixWhoseNeighboursDifferFromTheOthers) {
   const DistanceMatrix groups = test::distances_of(test::clusters(20, 6, 1));
   const std::vector<Eigen::Index> order = test::random_order(120, 5);
   const std::vector<DistanceMatrix> others = {groups, groups.cwiseAbs2(), groups(order, order)};

@@ -40,7 +40,7 @@ TEST(Histogram, CountsEachValueByItsWeight) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.375F, 0.625F}));
 }
 
-TEST(Histogram, IncludesLowerBoundsOfBinsAndTheUpperBoundOfTheLast) {
+TEST(Histogram, BinsIncludeTheirLowerBoundAndTheLastAlsoItsUpperBound) {
   const auto result = histogram(evenly_weighted({0, 1, 2, 3, 4}), {0, 4}, with_bins(4));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.2F, 0.2F, 0.2F, 0.4F}));
 }
@@ -50,12 +50,12 @@ TEST(Histogram, CountsValuesBeyondTheRangeInTheOuterBins) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.4F, 0.2F, 0.4F}));
 }
 
-TEST(Histogram, IgnoresNanAndZeroWeights) {
+TEST(Histogram, IgnoresNanValuesAndValuesOfZeroWeight) {
   const auto result = histogram(field_of({nan, 0.1, 0.9, 0.9}, {5, 1, 0, 1}), {0, 1}, with_bins(2));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.5F, 0.5F}));
 }
 
-TEST(Histogram, PutsAllValuesInTheFirstBinForARangeWithinRounding) {
+TEST(Histogram, PutsAllValuesInTheFirstBinIfTheyDifferOnlyByRounding) {
   const double above = 1 + 4e-16;
   EXPECT_EQ(bins_of(histogram(evenly_weighted({1, above}), {1, above}, with_bins(3))), (std::vector<float>{1, 0, 0}));
   EXPECT_EQ(bins_of(histogram(evenly_weighted({1, 1 + 2e-9}), {1, 1 + 2e-9}, with_bins(2))),
@@ -207,7 +207,7 @@ TEST(GaussianSmoothing, RejectsWidthsOutOfRange) {
   EXPECT_THROW(smooth_gaussian(histogram, std::numeric_limits<double>::quiet_NaN()), ArgumentError);
 }
 
-RC_GTEST_PROP(GaussianSmoothing, MatchesTheDirectSum, ()) {
+RC_GTEST_PROP(GaussianSmoothing, MatchesADirectConvolution, ()) {
   const Eigen::VectorXd histogram = *histograms();
   const double deviation = deviation_up_to(histogram.size());
   const Eigen::VectorXd difference = smooth_gaussian(histogram, deviation) - smoothed_naively(histogram, deviation);
@@ -232,7 +232,7 @@ TEST(ConcatenateHistograms, DividesEachHistogramByTheNumberOfHistograms) {
   EXPECT_EQ(concatenate(parts), vector_of({0.25F, 0.25F, 0.125F, 0.125F, 0.25F}));
 }
 
-TEST(ConcatenateHistograms, KeepsTheProportionOfUnequalSums) {
+TEST(ConcatenateHistograms, KeepsTheRatioBetweenTheSumsOfHistograms) {
   const std::vector<Eigen::VectorXf> parts = {vector_of({3}), vector_of({0, 1})};
   EXPECT_EQ(concatenate(parts), vector_of({0.75F, 0, 0.25F}));
 }
@@ -256,7 +256,7 @@ TEST(ConcatenateHistograms, RejectsHistogramsThatCannotBeNormalised) {
   EXPECT_THROW(concatenate(unequal), ArgumentError);
 }
 
-RC_GTEST_PROP(ConcatenateHistograms, GivesTheMeanOfTheirL1Distances, ()) {
+RC_GTEST_PROP(ConcatenateHistograms, L1DistanceOfResultsIsTheMeanL1DistanceOfTheParts, ()) {
   const auto bins = *rc::gen::inRange<std::size_t>(1, 20);
   const auto count = *rc::gen::inRange<std::size_t>(1, 5);
   const auto random_histogram = [&] {

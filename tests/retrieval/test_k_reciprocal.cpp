@@ -74,7 +74,7 @@ DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size
   return mean_with_transposed(result);
 }
 
-TEST(KReciprocalReranking, MovesMutualNeighboursCloser) {
+TEST(KReciprocalReranking, RanksMutualNeighboursBeforeOneSidedNeighbours) {
   // 0 to 3 are near each other; 4 is nearer to 3 than 0 is, but its own neighbours are nearer.
   const std::vector<double> coordinates = {0, 1, 2, 3, 5.5, 5.6, 5.7, 5.8};
   Eigen::MatrixXd points(8, 1);
@@ -102,7 +102,7 @@ TEST(KReciprocalReranking, MatchesADirectImplementation) {
   }
 }
 
-TEST(KReciprocalReranking, AveragesSeveralNumbersOfNeighbours) {
+TEST(KReciprocalReranking, AveragesDistancesOverSeveralNeighbourCounts) {
   const DistanceMatrix plain = distances_of(arcs(9, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const auto alone = [&](std::int64_t k, int expansion) {

@@ -50,7 +50,7 @@ double eight_sums(std::span<const float> a, std::span<const float> b) {
   return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
 }
 
-TEST(L1Distance, OfBlocksIsIdenticalToSingleDistances) {
+TEST(L1Distance, OfBlocksOfSignaturesEqualsTheDistanceOfEachPair) {
   RandomNumbers random(1);
   const auto entries = [&](std::size_t count) {
     std::vector<float> result(count);

@@ -60,7 +60,7 @@ TEST(MutualRanks, AreExactForFewModels) {
   }
 }
 
-TEST(MutualRanks, AreExactToASixteenthInLogForManyModels) {
+TEST(MutualRanks, LogarithmsErrByAtMostASixteenthForManyModels) {
   const DistanceMatrix matrix = uniform_distances(500, 2);
   const DistanceMatrix found = log_ranks(matrix);
   for (Eigen::Index i = 0; i < 500; ++i) {
@@ -74,7 +74,7 @@ TEST(MutualRanks, DependOnlyOnTheOrderOfDistances) {
   EXPECT_EQ(log_ranks(1e300 * matrix.cwiseSqrt()), log_ranks(matrix));
 }
 
-TEST(MutualRanks, AreBelowOneForAQueryCloserThanTheNearest) {
+TEST(MutualRanks, AreBelowOneForAQueryCloserThanTheNearestModel) {
   const std::vector<double> line{0, 2, 4};
   const Eigen::RowVectorXd at_ranks = distances_at_ranks(line, 0);
   EXPECT_EQ(at_ranks, (Eigen::RowVectorXd{{2, 4}}));

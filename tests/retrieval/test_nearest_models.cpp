@@ -29,14 +29,14 @@ TEST(NearestModels, AreSortedWithTiesByIndexAndExcludeInfiniteDistances) {
   EXPECT_EQ(nearest.largest, 2);
 }
 
-TEST(NearestModels, AreNoMoreThanAllOtherModels) {
+TEST(NearestModels, CountIsLimitedToTheNumberOfOtherModels) {
   const DistanceMatrix matrix = with_a_far_model();
   EXPECT_EQ(nearest_models(4, 100, rows_of(matrix)).indices.cols(), 3);
   const DistanceMatrix alone = DistanceMatrix::Zero(1, 1);
   EXPECT_EQ(nearest_models(1, 1, rows_of(alone)).indices.cols(), 0);
 }
 
-TEST(NearestModels, RejectZeroNeighboursAndRowsOfAnotherLength) {
+TEST(NearestModels, RejectZeroNeighboursAndRowsOfWrongLength) {
   DistanceMatrix matrix = with_a_far_model();
   EXPECT_THROW(nearest_models(4, 0, rows_of(matrix)), ArgumentError);
   EXPECT_THROW(nearest_models(3, 1, rows_of(matrix)), ArgumentError) << "rows of another length";
@@ -44,7 +44,7 @@ TEST(NearestModels, RejectZeroNeighboursAndRowsOfAnotherLength) {
   EXPECT_THROW(rows_of(wide), ArgumentError);
 }
 
-TEST(NearestModels, ReportTheModelsOfAnInvalidDistance) {
+TEST(NearestModels, ErrorNamesTheRowAndColumnOfAnInvalidDistance) {
   for (const double wrong : {-1.0, std::nan("")}) {
     DistanceMatrix matrix = DistanceMatrix::Ones(300, 300);  // of two blocks
     matrix(270, 3) = wrong;
@@ -76,7 +76,7 @@ TEST(OverflowSafeMean, IsFiniteForHugeDistances) {
   EXPECT_EQ(overflow_safe_mean(std::vector<double>{most, most}), most);
 }
 
-TEST(MeanDistance, IgnoresInfiniteDistancesIfThereAreFiniteOnes) {
+TEST(MeanDistance, IsTheMeanOfTheFiniteDistances) {
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, 2, 6}}), 3);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, no_distance, 3}}), 2);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
@@ -92,7 +92,7 @@ TEST(OverflowSafeFactor, ScalesExtremeDistancesToFiniteSquares) {
   }
 }
 
-TEST(Symmetrise, AveragesBothDirectionsAndClearsTheDiagonal) {
+TEST(Symmetrise, AveragesAMatrixWithItsTransposeAndZeroesTheDiagonal) {
   EXPECT_EQ(symmetrise(DistanceMatrix{{5, 1}, {3, 7}}), (DistanceMatrix{{0, 2}, {2, 0}}));
 }
 

@@ -49,7 +49,7 @@ TEST(QueryExpansion, MatchesADirectImplementation) {
   }
 }
 
-TEST(QueryExpansion, IsTheWeightedMeanOfTheRowsOfNeighbours) {
+TEST(QueryExpansion, IsTheWeightedMeanOfRowsOfAQueryAndItsNeighbours) {
   const Eigen::MatrixXd points{{0}, {1}, {3}};
   // Rows with their nearest: (0 1 3) + (1 0 2) / 2, over 1.5; (1 0 2) + (0 1 3) / 2; (3 2 0) + (1 0 2) / 2.
   const DistanceMatrix found = query_expansion(distances_of(points), {.neighbours = 1});
@@ -57,7 +57,7 @@ TEST(QueryExpansion, IsTheWeightedMeanOfTheRowsOfNeighbours) {
   EXPECT_NEAR(found(0, 2), ((3 + 1.0) / 1.5 + (3 + 0.5) / 1.5) / 2, 1e-15);
 }
 
-TEST(QueryExpansion, AveragesSeveralNumbersOfNeighbours) {
+TEST(QueryExpansion, AveragesDistancesOverSeveralNeighbourCounts) {
   const DistanceMatrix distances = distances_of(arcs(15, 3, 1));
   const auto alone = [&](std::int64_t k) { return query_expansion(distances, {.neighbours = {k}}); };
   expect_near(query_expansion(distances, {.neighbours = {8, 2, 5}}), (alone(2) + alone(5) + alone(8)) / 3, 1e-12);

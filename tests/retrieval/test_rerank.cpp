@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                [](const DistanceMatrix& d) { return query_expansion(d, {.neighbours = {}}); }}),
     [](const auto& method) { return std::string(method.param.name); });
 
-TEST_P(EachRerankMethod, PermutesDistancesWithTheModels) {
+TEST_P(EachRerankMethod, DistancesDoNotDependOnTheOrderOfModels) {
   const Eigen::MatrixXd points = arcs(25, 3, 5);
   const std::vector<Eigen::Index> order = random_order(points.rows(), 1);
   const DistanceMatrix expected = GetParam().rerank(distances_of(points));
@@ -94,7 +94,7 @@ DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
   return result;
 }
 
-TEST_P(EachRerankMethod, KeepsResultsUnchangedByIsolatedModels) {
+TEST_P(EachRerankMethod, DistancesDoNotChangeIfAnIsolatedModelIsAdded) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
   expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
@@ -126,7 +126,7 @@ TEST_P(EachRerankMethod, KeepsDistancesFiniteWithOneFarModel) {
   }
 }
 
-TEST_P(EachRerankMethod, IgnoresTheDiagonal) {
+TEST_P(EachRerankMethod, IgnoresTheDiagonalOfTheDistanceMatrix) {
   DistanceMatrix distances = distances_of(arcs(10, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
   for (const double diagonal : {no_neighbour, 1e308, 0.5}) {
@@ -135,7 +135,7 @@ TEST_P(EachRerankMethod, IgnoresTheDiagonal) {
   }
 }
 
-TEST_P(EachRerankMethod, CanBeInterrupted) {
+TEST_P(EachRerankMethod, StopsIfTheComputationIsCancelled) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 7));
   Cancellation cancellation;
   EXPECT_THROW(cancellation.run([&] {

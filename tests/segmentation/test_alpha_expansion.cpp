@@ -97,7 +97,7 @@ RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsMatchesTheMinimumCutByBoost, ()) {
   RC_ASSERT(labelling_cost(labels, problem.costs, problem.edges) == min_cost_by_boost(problem));
 }
 
-RC_GTEST_PROP(AlphaExpansion, CostStaysWithinTheBoundOfTheOptimum, ()) {
+RC_GTEST_PROP(AlphaExpansion, CostExceedsTheOptimumByAtMostTheTotalEdgeCost, ()) {
   const auto nodes = *rc::gen::inRange<std::int32_t>(1, 7);
   const Problem problem = arbitrary_problem(nodes, 3);
   const Labels start(static_cast<std::size_t>(nodes), 2);
@@ -112,7 +112,7 @@ RC_GTEST_PROP(AlphaExpansion, CostStaysWithinTheBoundOfTheOptimum, ()) {
   RC_ASSERT(cost <= labelling_cost(start, problem.costs, problem.edges));
 }
 
-TEST(AlphaExpansion, GivesNodesOfStrongEdgesOneLabel) {
+TEST(AlphaExpansion, GivesNodesLinkedByStrongEdgesTheSameLabel) {
   const Eigen::MatrixXd costs{
       {0, 5}, {2, 0}, {0, 2}, {5, 0}};  // the data terms of the two in the middle favour the opposite labels
   std::vector<LabelEdge> edges = {{0, 1, 3}, {1, 2, 0.5}, {2, 3, 3}};

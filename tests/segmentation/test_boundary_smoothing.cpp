@@ -71,7 +71,7 @@ TEST(BoundarySmoothing, MovesABorderIfTheShorterLengthOutweighsTheArea) {
   EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
 }
 
-TEST(BoundarySmoothing, CostIncludesBordersWithNodesThatCannotChange) {
+TEST(BoundarySmoothing, CostIncludesBordersWithNodesOfFixedLabel) {
   // Nodes 1 and 2 may change. Node 2 costs 0.2 * 0.01 / 0.015 = 0.1333, and saves 0.9 of border.
   const ThickSurface surface = row({1, 1, 0.1, 1});
   const Labels labels = {0, 0, 1, 1, 1};
@@ -117,7 +117,7 @@ TEST(BoundarySmoothing, KeepsASinglePartUnchanged) {
   EXPECT_EQ(smooth_boundaries(surface, one, {}), one);
 }
 
-TEST(BoundarySmoothing, KeepsEvenTheSmallestPart) {
+TEST(BoundarySmoothing, DoesNotRemoveAPartOfASingleNode) {
   const ThickSurface surface = thick_surface(test::sphere(1, 3));
   Labels labels(static_cast<std::size_t>(surface.graph.size()), 0);
   labels[17] = 1;
@@ -135,7 +135,7 @@ TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
   EXPECT_THROW(smooth_boundaries(surface, Labels(20, -1), {}), ArgumentError);
 }
 
-TEST(BoundarySmoothing, MovesABorderToAFoldInProportionToItsConcavity) {
+TEST(BoundarySmoothing, MovesABorderToAFoldOnlyIfItIsConcaveEnough) {
   // Six nodes in a row, folded between the fourth and the fifth; the border is one node before.
   ThickSurface row;
   row.graph.samples.points = Points::Zero(6, 3);

@@ -56,7 +56,7 @@ TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
   EXPECT_NEAR(mixture.log_likelihood, log_densities(mixture, points).sum(), 1e-12);
 }
 
-TEST(GaussianMixture, ProbabilitiesFollowWeightsAndDensities) {
+TEST(GaussianMixture, ComponentProbabilitiesAreProportionalToWeightTimesDensity) {
   GaussianMixture mixture;
   mixture.weights = Eigen::Vector2d(0.75, 0.25);
   mixture.means = Eigen::Vector2d(0, 2);

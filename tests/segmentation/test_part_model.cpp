@@ -34,7 +34,7 @@ TEST(PartModel, TrainedModelReturnsAProbabilityForAnyFeatures) {
   }
 }
 
-TEST(PartModel, ClampsFeaturesAtFourDeviations) {
+TEST(PartModel, ClampsFeaturesAtFourStandardDeviationsFromTheMean) {
   const PartModel& model = trained_part_model();
   for (const double sign : {1.0, -1.0}) {
     EXPECT_EQ(model.probability(model.mean + 10 * sign * model.deviation),

@@ -180,7 +180,7 @@ TEST(PartSegmentation, SegmentsThousandsOfComponents) {
   EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
 }
 
-TEST(PartSegmentation, IgnoresCracksAsBorders) {
+TEST(PartSegmentation, OfASphereWithMissingTrianglesIsOnePart) {
   RandomNumbers random(3);
   const Shape cracked = remove_faces(test::sphere(1, 4), 0.15, random);
   EXPECT_EQ(count_of(part_segmentation(cracked, {})), 1U);
@@ -257,7 +257,7 @@ TEST(PartSegmentation, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(part_segmentation(shape, {}), alone);
 }
 
-TEST(PartSegmentation, RejectsTooManyPartsOptionsOutOfRangeAndShapesWithoutArea) {
+TEST(PartSegmentation, RejectsOptionsOutOfRangeTooManyPartsAndShapesWithoutArea) {
   const Shape box = test::box({1, 1, 1}, 1);
   EXPECT_THROW(part_segmentation(box, {.parts = 1000}), InputError);
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);

@@ -17,7 +17,7 @@ ScalarField field(std::vector<double> values, std::vector<double> weights) {
           Eigen::Map<Eigen::VectorXd>(weights.data(), std::ssize(weights))};
 }
 
-TEST(PatchFeatures, AreFractionsOfWeightBelowEachLevel) {
+TEST(PatchFeatures, AreFractionsOfPatchWeightBelowQuantilesOfTheField) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1};
   // In order, 2, 5, 6 and 10 are at 0.5, 1.5, 3.5 and 5.5 sixths of the weight; levels are at 1/8, 3/8, 5/8 and 7/8.
   const std::vector<ScalarField> fields = {field({2, 6, 10, 5}, {1, 3, 1, 1})};
@@ -32,7 +32,7 @@ TEST(PatchFeatures, IgnoreMissingValues) {
   EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
 }
 
-TEST(PatchFeatures, DoNotChangeUnderMonotoneFunctions) {
+TEST(PatchFeatures, DoNotChangeIfTheLargestValueBecomesAnOutlier) {
   const std::vector<std::int32_t> patch = {0, 0, 0, 1, 1, 1};
   const std::vector<double> weights = {1, 2, 1, 3, 1, 1};
   const std::vector<ScalarField> fields = {field({1, 2, 3, 2, 4, 5}, weights)};
@@ -42,7 +42,7 @@ TEST(PatchFeatures, DoNotChangeUnderMonotoneFunctions) {
   EXPECT_FALSE(features.row(0).isApprox(features.row(1)));
 }
 
-TEST(PatchFeatures, ConcatenateSeveralFields) {
+TEST(PatchFeatures, ConcatenateTheFeaturesOfSeveralFields) {
   const std::vector<std::int32_t> patch = {0, 1};
   const std::vector<ScalarField> fields = {field({0, 1}, {1, 1}), field({5, 5}, {1, 1})};
   const Eigen::MatrixXd expected{{1, 1}, {0, 1}};

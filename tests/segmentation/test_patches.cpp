@@ -42,7 +42,7 @@ TEST(SurfacePatches, HaveBordersAtLinksOfHighCost) {
   }
 }
 
-TEST(SurfacePatches, AreCentredByAreaInAnyUnit) {
+TEST(SurfacePatches, DependOnRelativeNodeAreasButNotOnTheirUnit) {
   SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   const std::vector<std::int32_t> moved = patches(graph, {.count = 20});
   graph.samples.weights *= 1024;
@@ -59,12 +59,12 @@ TEST(SurfacePatches, CoverEveryConnectedComponent) {
   EXPECT_NE(patch.front(), patch.back());
 }
 
-TEST(SurfacePatches, AreNoMoreThanTriangles) {
+TEST(SurfacePatches, AreAtMostAsManyAsTriangles) {
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 1));
   EXPECT_EQ(number_of_patches(patches(graph, {.count = 1000})), 12);
 }
 
-TEST(SurfacePatches, DependOnlyOnTheSeed) {
+TEST(SurfacePatches, AreReproducibleForOneSeedAndDifferForAnother) {
   const SurfaceGraph graph = surface_graph(test::torus(2, 0.5, 16, 40));
   EXPECT_EQ(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 7}));
   EXPECT_NE(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 8}));
@@ -76,7 +76,7 @@ TEST(SurfacePatches, RefuseOptionsOutOfRange) {
   EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), ArgumentError);
 }
 
-TEST(SurfacePatches, AssignATiedNodeToTheFirstCentre) {
+TEST(SurfacePatches, AssignANodeAtEqualDistanceToTheFirstCentre) {
   // Three nodes in a row; the first centre is the first node, the second the last.
   SurfaceGraph row;
   row.samples.points = Points::Zero(3, 3);

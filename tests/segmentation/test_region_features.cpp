@@ -80,7 +80,7 @@ Regions hand_made_regions() {
   return regions;
 }
 
-TEST(RegionFeatures, MatchAnExampleOfTwoRegions) {
+TEST(RegionFeatures, MatchHandComputedValuesForTwoRegions) {
   const double bin = -std::log(0.005) / 32;
   // Of both together: the mean position is at 2/7 of the way to the small one, 0.7 away.
   const double along = (0.5 * 0.16 + 0.2 * 0.04) / 0.7 + 0.7 * 0.7 * (5.0 / 7) * (2.0 / 7);
@@ -142,7 +142,7 @@ TEST(RegionFeatures, MatchAnExampleOfTwoRegions) {
   EXPECT_EQ(features_of(hand_made_regions(), 1, 0), features);
 }
 
-TEST(RegionFeatures, TreatRegionsWithoutPairsAsConvex) {
+TEST(RegionFeatures, TreatRegionsWithoutPairsOfNodesAsConvex) {
   const RegionFeatures features = features_of(Regions(2), 0, 1);
   const auto value = [&](std::string_view name) {
     const auto& names = region_feature_names();

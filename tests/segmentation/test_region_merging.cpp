@@ -16,14 +16,14 @@ double area_affinity(const Regions& regions, std::int32_t a, std::int32_t b) {
   return 1 / (regions.of(a).area + regions.of(b).area);
 }
 
-TEST(RegionMerging, MergesTheHighestAffinityFirstAndUpdatesIt) {
+TEST(RegionMerging, MergesThePairOfHighestCurrentAffinityFirst) {
   Regions regions = regions_in_a_row(5);  // areas 1 to 5
   merge_regions(regions, area_affinity, {.parts = 2});
   // 1 + 2 = 3, then 3 + 3 = 6, then 4 + 5 = 9 against 6 + 4 = 10.
   EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {0, 2}, {3, 4}}));
 }
 
-TEST(RegionMerging, StopsBelowTheMinimumAffinity) {
+TEST(RegionMerging, StopsIfAllAffinitiesAreBelowTheMinimum) {
   Regions regions = regions_in_a_row(5);
   merge_regions(regions, area_affinity, {.min_affinity = 1.0 / 6});
   EXPECT_EQ(regions.size(), 3);
@@ -35,7 +35,7 @@ TEST(RegionMerging, BreaksTiesOfAffinityByTheLowestIndex) {
   EXPECT_THAT(regions.merges(), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(0, 3)));
 }
 
-TEST(RegionMerging, StopsAtOneRegionOrTheDefaultMinimumAffinity) {
+TEST(RegionMerging, MergesPairsFromAnAffinityOfOneHalfByDefault) {
   Regions regions = regions_in_a_row(3);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.5; }, {});
   EXPECT_EQ(regions.size(), 1) << "an affinity that is just enough";
@@ -64,7 +64,7 @@ TEST(RegionMerging, UpdatesTheAffinitiesOfAMergedRegion) {
   EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{1, 2}}));
 }
 
-TEST(RegionMerging, RequestedPartsOverrideTheMinimumAffinity) {
+TEST(RegionMerging, RequestedNumberOfPartsOverridesTheMinimumAffinity) {
   Regions regions = regions_in_a_row(4);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.0; },
                 {.min_affinity = 0.5, .parts = 2});

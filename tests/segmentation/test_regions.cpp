@@ -9,7 +9,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Regions, MergingAddsAreasAndPairSums) {
+TEST(Regions, MergingAddsAreasAndSumsOverPairsOfNodes) {
   Regions regions = test::regions_in_a_row(4);
   regions.add(0, 2, PairSum::pairs, 5);
   regions.add(1, 1, PairSum::pairs, 3);

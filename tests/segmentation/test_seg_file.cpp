@@ -61,7 +61,7 @@ TEST_F(SegFile, RejectsAMeshWithAnotherNumberOfFaces) {
               ThrowsMessage<InputError>(AllOf(HasSubstr(":3:"), HasSubstr("(2)"))));
 }
 
-TEST_F(SegFile, RejectsInvalidLabelsWithTheirLine) {
+TEST_F(SegFile, RejectsInvalidLabelsAndReportsTheLineNumber) {
   for (const std::string word : {"-1", "2147483648", "99999999999999999999", "1.5", "x"}) {
     write("1\n" + word + "\n");
     EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); }, ThrowsMessage<InputError>(HasSubstr(":2:"))) << word;

@@ -41,7 +41,7 @@ TEST(SegmentLabels, AreSplitIntoConnectedParts) {
   }
 }
 
-TEST(SegmentLabels, OfSliversJoinTheNeighbourWithTheLongestBorder) {
+TEST(SegmentLabels, GiveSliversTheLabelOfTheNeighbourWithTheLongestBorder) {
   const Shape sphere = test::sphere(1, 3);
   const SurfaceGraph graph = surface_graph(sphere);
   const Labels halves = [&] {
@@ -61,7 +61,7 @@ TEST(SegmentLabels, OfSliversJoinTheNeighbourWithTheLongestBorder) {
   EXPECT_EQ(without_slivers(graph, labels, 0.01), halves);
 }
 
-TEST(SegmentLabels, OfTheSmallestSliversJoinTheirNeighboursFirst) {
+TEST(SegmentLabels, MergeTheSmallestSliverIntoItsNeighbourFirst) {
   const SurfaceGraph graph = test::hand_made_graph({100, 2, 1, 97}, test::chain({1, 3, 2}));
   const Labels labels = {0, 1, 2, 3};
   EXPECT_EQ(without_slivers(graph, labels, 0.0125), (Labels{0, 1, 1, 3})) << "2 + 1 is above 2.5";
@@ -103,7 +103,7 @@ TEST(SegmentLabels, GiveAdjacentPartsDifferentColours) {
   }
 }
 
-TEST(SegmentLabels, RejectLabelsOfAnotherSurface) {
+TEST(SegmentLabels, AreRejectedUnlessTheirNumberMatchesTheSurface) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(connected_parts(graph, Labels{1}), ArgumentError);
   EXPECT_THROW(label_colours(graph, Labels{1}), ArgumentError);

@@ -43,7 +43,7 @@ TEST(SegmentationProxy, SubdividesCoarseMeshes) {
   }
 }
 
-TEST(SegmentationProxy, KeepsVerticesFiniteWithDegenerateTriangles) {
+TEST(SegmentationProxy, HasFiniteVerticesForMeshesWithDegenerateTriangles) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.triangles.conservativeResize(shape.triangles.rows() + 1, 3);
   shape.triangles.bottomRows(1) << 0, 0, 1;
@@ -69,7 +69,7 @@ TEST(SegmentationProxy, ReplacesCrackedMeshesByClouds) {
   EXPECT_EQ(segmentation_proxy(cracked).shape.vertices, result.shape.vertices);
 }
 
-TEST(SegmentationProxy, KeepsMeshesWithFewMissingTriangles) {
+TEST(SegmentationProxy, ReplacesMeshesByCloudsOnlyIfManyTrianglesAreMissing) {
   // Each missing triangle opens three of 1.5 edges a triangle: 4 and 6 % of them.
   for (const double missing : {0.02, 0.03}) {
     RandomNumbers random(1);
@@ -78,7 +78,7 @@ TEST(SegmentationProxy, KeepsMeshesWithFewMissingTriangles) {
   }
 }
 
-TEST(SegmentationProxy, KeepsMeshesWithAHole) {
+TEST(SegmentationProxy, DoesNotReplaceAMeshWithALargeHoleByACloud) {
   const Shape whole = test::sphere(1, 5);
   Shape open = whole;
   open.triangles = whole.triangles.topRows(whole.triangles.rows() / 2);

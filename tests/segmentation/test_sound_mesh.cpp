@@ -22,7 +22,7 @@ TEST(SoundMesh, AssignsDegenerateTrianglesToTheClosestValidTriangle) {
   EXPECT_EQ(sound.extended({7, 9}), (Labels{7, 7, 9, 9, 9}));
 }
 
-TEST(SoundMesh, HandlesDegenerateTrianglesFarFromTheMesh) {
+TEST(SoundMesh, AssignsAFarDegenerateTriangleToTheNearestSideOfABox) {
   Shape mesh = test::box({1, 1, 1}, 1);
   const Eigen::Index vertices = mesh.vertices.rows();
   const Eigen::Index triangles = mesh.triangles.rows();

@@ -43,7 +43,7 @@ TEST(SurfaceGraph, ConcavityDoesNotChangeIfATriangleIsReversed) {
   EXPECT_NEAR(concavity(surface_graph(shape), 0, 2), std::atan(0.5), 1e-12);
 }
 
-TEST(SurfaceGraph, LinksHaveTheLengthAndDistanceOfTheirEdge) {
+TEST(SurfaceGraph, LinksHaveTheLengthOfTheSharedEdgeAndCentroidDistance) {
   const SurfaceGraph graph = surface_graph(valley(0));
   for (const SurfaceLink& link : graph.links_of(0)) {
     EXPECT_DOUBLE_EQ(link.length, link.to == 2 ? 1 : std::numbers::sqrt2);
@@ -100,7 +100,7 @@ TEST(SurfaceGraph, LinksTrianglesAtANonManifoldEdgeInAChain) {
   EXPECT_THAT(counts, testing::ElementsAre(3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4));
 }
 
-TEST(SurfaceGraph, LinksTrianglesAcrossAGapAtItsVertices) {
+TEST(SurfaceGraph, LinksTheThreeNeighboursOfAMissingTriangle) {
   const Shape whole = test::sphere(1, 2);
   Shape holed = whole;
   holed.triangles = whole.triangles.bottomRows(whole.triangles.rows() - 1);
@@ -133,7 +133,7 @@ TEST(SurfaceGraph, LinksAnIsolatedTriangleBetweenGapsToItsNeighbours) {
   EXPECT_EQ(graph.links[0].concavity, 0);
 }
 
-TEST(SurfaceGraph, LinksThePointsOfACloudWithDistanceAndWidth) {
+TEST(SurfaceGraph, LinksOfACloudHaveTheDistanceAndWidthOfTheirPoints) {
   const Shape cloud{.vertices = test::sphere(2, 3).vertices, .triangles = {}};
   const SurfaceGraph graph = surface_graph(cloud);
   const Samples& samples = graph.samples;

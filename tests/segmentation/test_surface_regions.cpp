@@ -65,7 +65,7 @@ TEST(SurfaceRegions, SeeEachOtherThroughTheOutsideAcrossAConcavity) {
   EXPECT_GT(regions.of(0, 2, PairSum::seen_deep), 0);
 }
 
-TEST(SurfaceRegions, BordersHaveLengthAngleAndThickness) {
+TEST(SurfaceRegions, MeasureTheLengthAngleAndThicknessOfTheirBorder) {
   // The top of a box against the rest: a border of length 4, right angles, of which 1.5 radians count.
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 6));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
@@ -88,7 +88,7 @@ TEST(SurfaceRegions, BordersHaveLengthAngleAndThickness) {
   EXPECT_NEAR(regions.of(0, 1, PairSum::folded), border, 1e-9);
 }
 
-TEST(SurfaceRegions, WeighNodesByAreaInSums) {
+TEST(SurfaceRegions, SumsOfARegionWeightNodesByArea) {
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 4));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
   const std::vector<std::int32_t> labels =
@@ -243,7 +243,7 @@ TEST(SurfaceRegions, AreTheSameForAnySizeAndNumberOfThreads) {
   expect_equal_sums(serial, measured(larger, 1));
 }
 
-TEST(SurfaceRegions, MatchTheSumsOfMergedPatches) {
+TEST(SurfaceRegions, OfMergedPatchesMatchRegionsMeasuredDirectly) {
   PatchedShape patched(1);
   Regions merged = surface_regions(patched.surface, patched.labels, 30);
   const std::int32_t target = 1;

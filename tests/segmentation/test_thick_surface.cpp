@@ -26,7 +26,7 @@ TEST(ThickSurface, ThicknessOfASphereIsItsDiameter) {
   }
 }
 
-TEST(ThickSurface, DoesNotDependOnOrientation) {
+TEST(ThickSurface, OfAReversedSphereHasTheSameThicknessAndOutwardNormals) {
   const Shape sphere = test::sphere(1, 3);
   const ThickSurface surface = thick_surface(test::flipped(sphere));
   expect_thickness(surface, -std::log(std::numbers::pi) / 2, 0.05);
@@ -50,10 +50,10 @@ TEST(ThickSurface, CloudHasTheThicknessAndNormalsOfItsSurface) {
 TEST(ThickSurface, DihedralAnglesUseSmoothedNormals) {
   ThickSurface surface = test::hand_made_surface(test::hand_made_graph({1, 1}, {{0, 1, 1}}), 1);
   surface.smooth_normals.row(0) << std::sin(0.2), 0, std::cos(0.2);
-  EXPECT_NEAR(surface.turn(0, surface.graph.links[0]), 0.2, 1e-12);
-  EXPECT_NEAR(surface.turn(1, surface.graph.links[1]), 0.2, 1e-12);
+  EXPECT_NEAR(surface.normal_angle(0, surface.graph.links[0]), 0.2, 1e-12);
+  EXPECT_NEAR(surface.normal_angle(1, surface.graph.links[1]), 0.2, 1e-12);
   surface.smooth_normals(0, 0) *= -1;
-  EXPECT_NEAR(surface.turn(0, surface.graph.links[0]), -0.2, 1e-12);
+  EXPECT_NEAR(surface.normal_angle(0, surface.graph.links[0]), -0.2, 1e-12);
 }
 
 TEST(ThickSurface, OrientsOnlyClosedMeshesOutward) {

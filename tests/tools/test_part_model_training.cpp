@@ -43,13 +43,13 @@ TEST(PartModelTraining, FirstStepHasTheLengthOfTheLearningRate) {
   EXPECT_NEAR(std::abs(twice.output_bias), rate / 2, 1e-4 * rate);
 }
 
-TEST(PartModelTraining, LearnsFractionsAsTargets) {
+TEST(PartModelTraining, LearnsTargetProbabilitiesBetweenZeroAndOne) {
   std::vector<PartExample> same = examples(500, 1);
   for (PartExample& example : same) example.together = 0.3;
   EXPECT_NEAR(train_part_model(same, {.epochs = 100}).probability(same[0].features), 0.3, 0.05);
 }
 
-TEST(PartModelTraining, IsReproducible) {
+TEST(PartModelTraining, GivesTheSameModelForTheSameExamples) {
   const PartModel first = train_part_model(examples(500, 1), {});
   const PartModel second = train_part_model(examples(500, 1), {});
   EXPECT_EQ(first.hidden, second.hidden);
@@ -61,7 +61,7 @@ TEST(PartModelTraining, RejectsAnEmptyTrainingSet) {
   EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), ArgumentError);
 }
 
-TEST(PartExamples, AveragePairsWithinOnePartOverHumanSegmentations) {
+TEST(PartExamples, CountPairsInTheSamePartAveragedOverHumanSegmentations) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1, 1};
   const Eigen::MatrixXd together = pairs_together(patch, 2, {{7, 7, 7, 7, 9}, {1, 2, 2, 2, 2}});
   EXPECT_DOUBLE_EQ(together(0, 1), (4 + 3) / 2.0);

@@ -16,7 +16,7 @@ TEST(RotationBetween, MapsOneDirectionToAnother) {
   }
 }
 
-TEST(EigenDecomposition, HasAscendingEigenvaluesOfASymmetricMatrix) {
+TEST(EigenDecomposition, ListsEigenvaluesOfASymmetricMatrixInAscendingOrder) {
   const Eigen::Matrix3d matrix{{2, 1, 0}, {1, 2, 0}, {0, 0, 5}};  // eigenvalues 1, 3, 5
   const Eigen::Vector3d values(1, 3, 5);
   const auto small = eigen_decomposition(matrix);

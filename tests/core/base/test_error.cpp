@@ -29,6 +29,7 @@ TEST(PrintableText, ReplacesTerminalEscapes) {
 }
 
 TEST(PrintableText, ReplacesBidirectionalControls) {
+  // NOLINTNEXTLINE(misc-misleading-bidirectional): the characters are escaped
   EXPECT_EQ(printable("a\u202Eb\u2066c\u200Fd\u061C"), "a?b?c?d?");
   EXPECT_EQ(printable("\u200D\u2010\u2029\u202F\u2065\u206A"), "\u200D\u2010\u2029\u202F\u2065\u206A");
 }
@@ -43,7 +44,7 @@ TEST(PrintableText, ReplacesInvalidUtf8AndCutsBetweenCharacters) {
   EXPECT_EQ(printable("a\xC3\xA9", 2), "a...");
 }
 
-TEST(InputError, HasAPrintableMessage) {
+TEST(InputError, ReplacesControlCharactersInItsMessage) {
   EXPECT_STREQ(InputError("cannot read a\x1b]0;title\n.off").what(), "cannot read a?]0;title?.off");
 }
 

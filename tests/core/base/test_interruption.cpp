@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Cancellation, RunsATaskAndRethrowsItsExceptions) {
+TEST(Cancellation, UncancelledTasksRunAndTheirExceptionsAreRethrown) {
   Cancellation cancellation;
   int done = 0;
   cancellation.run([&] { ++done; });
@@ -23,14 +23,14 @@ TEST(Cancellation, RunsATaskAndRethrowsItsExceptions) {
   EXPECT_NO_THROW(cancellation.run([] { check_interruption(); }));
 }
 
-TEST(Cancellation, DoesNotStartACancelledTask) {
+TEST(Cancellation, PreventsLaterTasksFromStarting) {
   Cancellation cancellation;
   cancellation.cancel();
   EXPECT_TRUE(cancellation.requested());
   EXPECT_THROW(cancellation.run([] { FAIL(); }), Interrupted);
 }
 
-TEST(Cancellation, StopsANestedLoopFromAnotherThread) {
+TEST(Cancellation, FromAnotherThreadStopsNestedLoops) {
   Cancellation cancellation;
   std::atomic<bool> begun = false;
   std::atomic<bool> after_inner_loop = false;
@@ -61,7 +61,7 @@ TEST(Cancellation, StopsASerialLoop) {
   EXPECT_THROW(cancellation.run([] {}), Interrupted);
 }
 
-TEST(Cancellation, DoesNotStopOtherTasks) {
+TEST(Cancellation, DoesNotStopTasksThatWereNotCancelled) {
   Cancellation cancelled;
   cancelled.cancel();
   Cancellation other;

@@ -17,7 +17,7 @@ TEST(Median, IsTheMiddleOfSortedNumbers) {
   EXPECT_EQ(sorted_median(std::vector<double>{1, 4, 9, 100}), 6.5);
 }
 
-TEST(Median, UpperMedianMatchesSorting) {
+TEST(Median, UpperMedianIsTheUpperMiddleElementAfterSorting) {
   RandomNumbers random(1);
   for (std::size_t count = 1; count < 50; ++count) {
     std::vector<double> values(count);

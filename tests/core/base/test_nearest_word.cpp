@@ -34,7 +34,7 @@ TEST(NearestWord, CorrectsASpellingMistake) {
   EXPECT_EQ(nearest_word("smooting_bin", settings), "smoothing_bins");
 }
 
-TEST(NearestWord, FindsNoWordForUnrelatedWords) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
+TEST(NearestWord, IsNotFoundIfNoKnownWordIsSimilar) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
 
 TEST(NearestWord, DoesNotReplaceAllLettersOfAShortWord) {
   EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
@@ -51,7 +51,7 @@ TEST(Suggestion, NamesTheNearestWordOrAllKnownWords) {
   EXPECT_EQ(suggestion("colour", {}), "");
 }
 
-TEST(UnknownWordMessage, NamesTheKindAndTheBeginningOfALongWord) {
+TEST(UnknownWordMessage, NamesTheKindOfTheUnknownWordAndCutsLongWords) {
   EXPECT_EQ(unknown_word_message("setting", "rnage", settings),
             "there is no setting \"rnage\"; did you mean \"range\"?");
   EXPECT_EQ(unknown_word_message("setting", std::string(50, 'x'), {}),

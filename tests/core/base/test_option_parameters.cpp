@@ -56,7 +56,7 @@ constexpr std::array word_table = {
 };
 constexpr auto word_parameters = parameters_of(word_table);
 
-TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
+TEST(OptionParameters, TakeTypesAndDefaultsFromTheOptionStructure) {
   EXPECT_EQ(sample_parameters[0].kind, ParameterKind::integer);
   EXPECT_EQ(sample_parameters[1].kind, ParameterKind::number);
   EXPECT_EQ(sample_parameters[2].kind, ParameterKind::boolean);
@@ -66,7 +66,7 @@ TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
   EXPECT_TRUE(values.boolean("enabled"));
 }
 
-TEST(OptionParameters, ConvertBackToOptions) {
+TEST(OptionParameters, ConvertChangedValuesToAnOptionStructure) {
   ParameterValues values(sample_parameters);
   values.set("count", std::int64_t{7});
   values.set("enabled", false);
@@ -127,7 +127,7 @@ TEST(OptionParameters, ConvertOptionsToValuesAndBack) {
   EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
 }
 
-TEST(OptionParameters, CheckOptionsAgainstBounds) {
+TEST(OptionParameters, RejectOptionsOutOfBounds) {
   EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
   EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);
   EXPECT_THROW(check_options("x", sample_table, {.share = 1}), InputError);

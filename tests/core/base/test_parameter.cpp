@@ -61,7 +61,7 @@ TEST(RequireInBounds, ReportsAValueOutOfBoundsWithTheBounds) {
   EXPECT_THAT(refuse, testing::ThrowsMessage<InputError>(testing::HasSubstr("the scale is 0.5")));
 }
 
-TEST(ParameterValues, BeginWithTheDefaults) {
+TEST(ParameterValues, AreTheDefaultsUntilSet) {
   const ParameterValues values(parameters);
   EXPECT_EQ(values.integer("rays"), 25);
   EXPECT_FALSE(values.boolean("smooth"));
@@ -84,7 +84,7 @@ TEST(ParameterValues, AcceptValuesOfTheirTypeWithinBounds) {
   EXPECT_EQ(values.word("offset"), "auto");
 }
 
-TEST(ParameterValues, StoreCopiesOfWords) {
+TEST(ParameterValues, DoNotChangeWithTheStringTheyWereSetFrom) {
   ParameterValues values(parameters);
   {
     std::string source = "cgal";
@@ -136,7 +136,7 @@ TEST(ParseValue, RejectsTextOfAnotherTypeOrOutOfBounds) {
   EXPECT_THROW(parse_value(parameters[3], "other"), InputError);
 }
 
-TEST(ParameterValues, StateTheValidValuesInErrors) {
+TEST(ParameterValues, ErrorMessagesStateTheValidValues) {
   ParameterValues values(parameters);
   const auto message_of = [&](std::string_view name, const ParameterValue& value) -> std::string {
     try {

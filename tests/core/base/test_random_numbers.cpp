@@ -48,7 +48,7 @@ TEST(RandomNumbers, UniformNumbersStayInRangeWithTheExpectedMeanAndVariance) {
   EXPECT_NEAR(squares / n - mean * mean, 3, 0.05);
 }
 
-TEST(RandomNumbers, BelowDrawsIntegersUniformly) {
+TEST(RandomNumbers, IntegersBelowALimitAreUniformlyDistributed) {
   RandomNumbers random(1);
   constexpr int n = 70000;
   std::array<int, 7> drawn{};
@@ -58,7 +58,7 @@ TEST(RandomNumbers, BelowDrawsIntegersUniformly) {
   EXPECT_EQ(random.below(1), 0U);
 }
 
-TEST(RandomSubset, HasTheRequestedSizeAndIsUniform) {
+TEST(RandomSubset, HasTheRequestedSizeAndContainsEachElementEquallyOften) {
   RandomNumbers random(2);
   std::array<int, 8> times{};
   for (int i = 0; i < 40000; ++i) {

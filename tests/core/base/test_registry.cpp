@@ -48,7 +48,7 @@ TEST(Registry, RejectsEntriesWithEmptyDuplicateOrInvalidNames) {
   EXPECT_EQ(colours.at("red").wavelength, 700);
 }
 
-TEST(Registry, RefusesAnEntryWithoutItsFunctions) {
+TEST(Registry, RejectsEntriesWithoutTheirMandatoryFunctions) {
   Registry<Mixture> mixtures("mixture", {}, has_functions<&Mixture::mix, &Mixture::separate>);
   const auto twice = [](int parts) { return 2 * parts; };
   EXPECT_THAT([&] { mixtures.add({.name = "grey", .mix = nullptr, .separate = twice}); },
@@ -66,7 +66,7 @@ TEST(Registry, SuggestsTheNearestName) {
               ThrowsMessage<InputError>(R"(there is no colour "ultramarine"; known here: "red", "green")"));
 }
 
-TEST(Registry, AddressesOfEntriesAreStableUnderConcurrentAdds) {
+TEST(Registry, EntriesKeepTheirAddressesWhileThreadsAddOthers) {
   Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>);
   const Colour& red = colours.at("red");
   std::vector<std::thread> threads;

@@ -7,7 +7,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(SettingNames, InBackquotesAreReplacedByThoseOfTheInterface) {
+TEST(SettingNames, InBackquotesAreReplacedByTheirSpellingInTheInterface) {
   const auto spelled = [](std::string_view message) {
     return spell_settings(message, [](std::string_view name, std::string_view value) {
       return "<" + std::string(name) + "|" + std::string(value) + ">";

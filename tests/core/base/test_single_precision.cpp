@@ -14,7 +14,7 @@ TEST(RowsMergedInSinglePrecision, CountsRowsMadeEqualByRounding) {
   EXPECT_EQ(rows_merged_in_single_precision(std::vector<double>{1e-46, 2e-46, -1e-46, 0}, 1), 3U);
 }
 
-TEST(RowsMergedInSinglePrecision, IgnoresRowsThatStayDifferentOrWereEqualBefore) {
+TEST(RowsMergedInSinglePrecision, IgnoresRowsThatStayDistinctOrWereEqualBeforeRounding) {
   EXPECT_EQ(rows_merged_in_single_precision(std::vector<double>{0.1, 0.2, 0.3, 0.1, 0.2, 0.4}, 3), 0U);
   EXPECT_EQ(rows_merged_in_single_precision(std::vector<double>{0.1, 0.2, 0.1, 0.2}, 2), 0U);
   EXPECT_EQ(rows_merged_in_single_precision(std::vector<double>{0.0, -0.0, 1e-46}, 1), 1U);

@@ -29,7 +29,7 @@ TEST(TextLines, ExcludeAByteOrderMark) {
   EXPECT_THAT(split_lines("\xEF\xBB\xBF"), ElementsAre());
 }
 
-TEST(TextLines, AreTrimmed) {
+TEST(TextLines, TrimmingRemovesSpacesAndTabsAtBothEnds) {
   EXPECT_EQ(trim(" \ta b\t "), "a b");
   EXPECT_EQ(trim(" \t"), "");
   EXPECT_EQ(trim(""), "");
@@ -42,7 +42,7 @@ TEST(LowerCase, ChangesAsciiCapitalsOnly) {
   EXPECT_EQ(lower_case(""), "");
 }
 
-TEST(ParseNumber, AcceptsCommonNotations) {
+TEST(ParseNumber, AcceptsDecimalsExponentsInfinityAndNaN) {
   EXPECT_EQ(parse_number("1"), 1.0);
   EXPECT_EQ(parse_number("+.5"), 0.5);
   EXPECT_EQ(parse_number("-2e-3"), -2e-3);
@@ -58,7 +58,7 @@ TEST(ParseNumber, RejectsTextThatIsNotANumber) {
   }
 }
 
-RC_GTEST_PROP(ParseNumber, RestoresTheShortestRepresentationExactly, (double value)) {
+RC_GTEST_PROP(ParseNumber, RestoresNumbersFromTheirShortestTextExactly, (double value)) {
   RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
 }
 
@@ -87,7 +87,7 @@ TEST(PlainNumber, AvoidsExponentsExceptForHugeNumbers) {
   for (const auto& [number, text] : cases) EXPECT_EQ(plain_number(number, 6), text);
 }
 
-TEST(QuotedWord, IsPrintedOnOneLine) {
+TEST(QuotedWord, ReplacesLineEndsAndControlCharacters) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");
   EXPECT_EQ(quoted_word(std::string_view("a\nb\0c\x7f", 6)), "\"a?b?c?\"");

@@ -299,7 +299,7 @@ void expect_regions(const Part& part, const Shape& shape, const Eigen::Matrix3d&
   }
 }
 
-TEST(PartCheck, FindsTheSameRegionsForAnyResolutionAndRotation) {
+TEST(PartCheck, FindsTheSameThinRegionsForAnyResolutionAndRotation) {
   for (const Part& part : parts()) {
     for (int resolution = 0; resolution < 3; ++resolution) {
       const Shape shape = part.shape(resolution);
@@ -331,7 +331,7 @@ Shape with_t_junctions(const Shape& shape) {
   return result;
 }
 
-TEST(PartCheck, CracksAtTJunctionsDoNotSplitRegions) {
+TEST(PartCheck, CracksAtTJunctionsDoNotSplitThinRegions) {
   for (const Part& part : parts()) {
     const Shape shape = with_t_junctions(part.shape(0));
     EXPECT_FALSE(check_part(shape, part.limits).closed);
@@ -340,7 +340,7 @@ TEST(PartCheck, CracksAtTJunctionsDoNotSplitRegions) {
 }
 
 /// Noise of 0.1 % of the diagonal moves each side of a wall by up to that much.
-TEST(PartCheck, MinimumThicknessChangesByTheAmplitudeOfNoise) {
+TEST(PartCheck, MinimumThicknessChangesAtMostByTwiceTheNoiseAmplitude) {
   for (const Part& part : parts()) {
     SCOPED_TRACE(part.name);
     if (part.curved) continue;
@@ -520,7 +520,7 @@ TEST(PartCheck, FindsTheSameWallsOnAMeshTurnedInsideOut) {
   expect_regions(part, test::flipped(part.shape(1)), Eigen::Matrix3d::Identity(), "inside out");
 }
 
-TEST(PartCheck, RegionsListTheirFaces) {
+TEST(PartCheck, ThinRegionsListTheirFaces) {
   const Shape shape = plate().shape(0);
   const PartReport report = check_part(shape, {.min_wall = wall_limit});
   ASSERT_EQ(report.walls.regions.size(), 2);
@@ -533,7 +533,7 @@ TEST(PartCheck, RegionsListTheirFaces) {
   }
 }
 
-TEST(PartCheck, SubdividesTheSurfaceAlongRegionBorders) {
+TEST(PartCheck, SubdividesTheSurfaceAlongBordersOfThinRegions) {
   const Part part = stepped_plate();
   const Shape shape = part.shape(0);
   CheckOptions options = part.limits;
@@ -554,7 +554,7 @@ TEST(PartCheck, SubdividesTheSurfaceAlongRegionBorders) {
   EXPECT_NEAR(thin, expected, 0.02 * expected);
 }
 
-TEST(PartCheck, RegionsBelowTheMinimumAreaAreCountedButNotListed) {
+TEST(PartCheck, ThinRegionsBelowTheMinimumAreaAreCountedButNotListed) {
   const Part part = wedge();
   const double smaller = part.regions[1].area;
   const PartReport report =
@@ -564,7 +564,7 @@ TEST(PartCheck, RegionsBelowTheMinimumAreaAreCountedButNotListed) {
   EXPECT_NEAR(report.walls.small_area, smaller, 0.01 * smaller);
 }
 
-TEST(PartCheck, PartSmallerThanTheLimitIsOneThinWall) {
+TEST(PartCheck, PartSmallerThanTheThicknessLimitIsOneThinWall) {
   const Shape box = test::box({1, 1, 1}, 1);
   for (const double limit : {2.0, 30.0, 1e6}) {
     const PartReport report = check_part(box, {.min_wall = limit});

@@ -68,7 +68,7 @@ TEST(BilateralSmoothing, StaysWithinTheRangeOfTheValues) {
   EXPECT_EQ(smooth.weights, field.weights);
 }
 
-TEST(BilateralSmoothing, KeepsValuesWithoutIterationsAndOnAConstantField) {
+TEST(BilateralSmoothing, LeavesValuesUnchangedWithoutIterationsAndOnConstantFields) {
   const Site site = sites()[0];
   const ScalarField field = noisy_step(site.samples, 1);
   EXPECT_EQ(bilateral_smoothing(site.shape, site.samples, field, {.iterations = 0}).values, field.values);
@@ -96,7 +96,7 @@ TEST(BilateralSmoothing, RefusesOptionsOutOfRangeAndFieldsOfOtherSamples) {
   EXPECT_THROW(bilateral_smoothing(test::sphere(1, 2), site.samples, field), InputError);
 }
 
-TEST(BilateralSmoothing, IsTheWeightedMeanWithinTwoSpatialWidths) {
+TEST(BilateralSmoothing, IsTheWeightedMeanOfValuesWithinTwoSpatialWidths) {
   const Shape one{Points{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, Triangles{{0, 1, 2}}};
   const ScalarField field{Eigen::Vector3d(0, 1, 5), Eigen::Vector3d(1, 2, 1)};  // the width is 0.4 sqrt(4) = 0.8
   const double near = 2 * std::exp(-0.5 / (0.8 * 0.8));

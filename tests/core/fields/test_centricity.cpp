@@ -67,7 +67,7 @@ TEST(CentricityOfDisc, IsTwoThirdsOfTheRadiusInTheMiddle) {
   EXPECT_NEAR(at_vertices(disc(12), {.measure = Centricity::eccentricity})[0], 1, 0.03);
 }
 
-TEST(CentricityOfDisc, MatchesTheDefinitionWithAllSources) {
+TEST(CentricityOfDisc, IsTheMeanGeodesicDistanceIfAllVerticesAreSources) {
   const Shape shape = disc(4);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const GeodesicDistances distances = geodesic_distances(shape);
@@ -88,7 +88,7 @@ TEST(Centricity, IsSmallInTheMiddleOfAShapeAndLargeAtItsEnds) {
   EXPECT_GT(std::abs(bar.vertices(most, 2)), 1.9);
 }
 
-TEST(Centricity, IsProportionalToScaleAndFollowsTheOrderOfVertices) {
+TEST(Centricity, IsProportionalToScaleAndIndependentOfVertexOrder) {
   const Shape shape = test::capsule(0.3, 1, 16, 20);
   const auto [other, vertices, triangles] = test::permuted(shape, 3);
   const Eigen::VectorXd expected = at_vertices(shape);
@@ -120,7 +120,7 @@ TEST(Centricity, InterpolatesLinearFunctionsInTrianglesExactly) {
   EXPECT_LT((interpolate_to_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Centricity, SampledPointsOfACloudHaveTheValuesOfTheWholeCloud) {
+TEST(Centricity, SampledPointsHaveTheValuesComputedForTheWholeCloud) {
   const Shape cloud = test::random_points(sphere(1, 2), 300, 1);
   const Samples some = sample_surface(cloud, 40);
   EXPECT_EQ(interpolate_to_samples(cloud, some, cloud.vertices), some.points);
@@ -128,7 +128,7 @@ TEST(Centricity, SampledPointsOfACloudHaveTheValuesOfTheWholeCloud) {
   EXPECT_THROW(centricity(test::random_points(sphere(1, 2), 300, 2), some), InputError);
 }
 
-TEST(Centricity, CloudsAndSeveralComponentsHaveFiniteValues) {
+TEST(Centricity, IsFiniteOnPointCloudsAndOnSeveralComponents) {
   const Shape ball = sphere(1, 3);
   EXPECT_NEAR(at_vertices(Shape{ball.vertices, {}}).mean(), std::numbers::pi / 2, 0.1 * std::numbers::pi / 2);
   const Shape pair = test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {10, 0, 0})});

@@ -44,7 +44,7 @@ TEST(DoubledTriangles, DoNotChangeGeodesicDistances) {
       });
 }
 
-TEST(DoubledTriangles, DoNotChangeExactGeodesicDistances) {
+TEST(DoubledTriangles, DoNotChangeHeatAndExactGeodesicDistances) {
   const Shape torus = test::torus(1, 0.35, 8, 12);
   for (const GeodesicMethod method : {GeodesicMethod::heat, GeodesicMethod::exact}) {
     const Eigen::VectorXd expected = geodesic_distances(torus, {.method = method})(3);
@@ -88,7 +88,7 @@ TEST(DoubledTriangles, DoNotChangeHeatKernels) {
       });
 }
 
-TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
+TEST(DoubledTriangles, HaveTheSmoothedValueOfTheirFirstCopy) {
   const auto smooth = [](const Shape& mesh) {
     const Samples samples = sample_shape(mesh, SampleSite::faces);
     const Eigen::VectorXd values = (3 * samples.points.col(0) + 5 * samples.points.col(1)).array().sin();

@@ -55,7 +55,7 @@ Eigen::VectorXd values_of(const FieldSettings& settings, const Shape& shape) {
   return compute(make_field(settings), shape).values;
 }
 
-TEST(MakeField, OffsetSdfFieldMatchesTheLibraryFunction) {
+TEST(MakeField, OffsetSdfFieldEqualsADirectCallOfOffsetSdf) {
   const Shape shape = test::sphere(1, 1);
   const FieldValues computed = compute(make_field(settings_of("offset_sdf", {{"offset", 0.03}}, vertex_plan)), shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
@@ -89,7 +89,7 @@ TEST(MakeField, CentricityFieldUsesTheGeodesicMethodSetting) {
   }
 }
 
-TEST(WeightsWarning, WarnsIfTriangleAreasAreUndefined) {
+TEST(WeightsWarning, IsGivenIfTriangleAreasOverflowOrUnderflow) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (const double scale : {1.0, 1e30, 1e-30}) {
     const Shape scaled = test::transformed(box, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
@@ -113,7 +113,7 @@ TEST(OutcomeWarnings, WarnOfUndecidedAndMissingSamplesAndEnlargedOffsets) {
   EXPECT_THAT(warnings[2], HasSubstr("larger offset"));
 }
 
-TEST(MakeField, ConeSdfFieldMatchesTheLibraryFunction) {
+TEST(MakeField, ConeSdfFieldEqualsADirectCallOfConeSdf) {
   const Shape shape = test::sphere(1, 1);
   const Field field = make_field(settings_of("cone_sdf", {{"rays", 9}, {"opening_angle_degrees", 40}}));
   EXPECT_EQ(field.settings.samples.site, SampleSite::faces);
@@ -125,7 +125,7 @@ TEST(MakeField, ConeSdfFieldMatchesTheLibraryFunction) {
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
 }
 
-TEST(MakeField, CentricityFieldMatchesTheLibraryFunction) {
+TEST(MakeField, CentricityFieldEqualsADirectCallOfCentricity) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   const CentricityOptions options{.measure = Centricity::eccentricity, .sources = 9};
@@ -134,7 +134,7 @@ TEST(MakeField, CentricityFieldMatchesTheLibraryFunction) {
   EXPECT_EQ(values_of(settings_of("centricity"), shape), centricity(shape, samples));
 }
 
-TEST(MakeField, FieldsOnTheProxyMatchDirectComputationOnIt) {
+TEST(MakeField, FieldsOnTheSurfaceProxyEqualValuesInterpolatedFromItsPoints) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   ProxySource source(shape);
@@ -148,7 +148,7 @@ TEST(MakeField, FieldsOnTheProxyMatchDirectComputationOnIt) {
   EXPECT_THROW(make_field(settings_of("centricity", {{"on", "proxy"}, {"method", "heat"}})), InputError);
 }
 
-TEST(MakeField, HeatKernelFieldsMatchTheLibraryFunctions) {
+TEST(MakeField, HeatKernelFieldsEqualDirectCallsOfTheirSignatures) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const double area = surface_area(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 20);
@@ -176,7 +176,7 @@ TEST(MakeField, AppliesBilateralSmoothingToAnyField) {
   EXPECT_FALSE(make_field(plain).versions.contains("bilateral"));
 }
 
-TEST(MakeField, RunTimeIncludesAllSteps) {
+TEST(MakeField, ReportedRunTimeIncludesComputationAndSmoothing) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   EXPECT_GT(compute(make_field(settings_of("centricity")), shape).query_seconds, 0) << "of a field that tells none";
   field_types().add({.name = "test_seconds",
@@ -216,7 +216,7 @@ TEST(MakeField, RejectsMissingMandatorySettings) {
   EXPECT_THAT(test::input_error_of([] { make_field(settings_of("offset_sdf")); }), HasSubstr("offset is missing"));
 }
 
-TEST(MakeField, StatesTheDimensionOfValues) {
+TEST(MakeField, StatesWhetherValuesAreLengthsOrDimensionless) {
   const auto dimension = [](const FieldSettings& settings) { return make_field(settings).dimension; };
   EXPECT_EQ(dimension(settings_of("offset_sdf", {{"offset", 0.05}})), FieldDimension::length);
   EXPECT_EQ(dimension(settings_of("cone_sdf")), FieldDimension::length);
@@ -250,7 +250,7 @@ Eigen::VectorXd zero_if_missing(const Eigen::VectorXd& values) {
   return values.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; });
 }
 
-TEST(MakeField, ValuesScaleWithThePowerOfTheirDimension) {
+TEST(MakeField, ValuesScaleWithTheShapeAccordingToTheirDimension) {
   for (const FieldSettings& settings : settings_of_all_types()) {
     const Shape shape = boxes_for(settings);
     const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});

@@ -81,7 +81,7 @@ TEST(Geodesics, DistancesOnATriangleSoupMatchItsWeldedMesh) {
   }
 }
 
-TEST(Geodesics, DistancesScaleAndPermuteWithTheShape) {
+TEST(Geodesics, DistancesScaleWithTheShapeAndIgnoreVertexOrder) {
   const Shape shape = box({1, 2, 0.5}, 4);
   const auto [other, vertices, triangles] = permuted(shape, 1);
   const Shape larger = transformed(other, 3, test::rotation(2), {1, 2, 3});
@@ -92,7 +92,7 @@ TEST(Geodesics, DistancesScaleAndPermuteWithTheShape) {
   }
 }
 
-TEST(Geodesics, DistancesInACloudFollowNeighbouringPoints) {
+TEST(Geodesics, DistancesInASphereCloudApproximateGreatCircles) {
   const Shape shape = sphere(1, 4);
   const Eigen::VectorXd found = geodesic_distances(cloud_of(shape))(0);
   EXPECT_LT((found - great_circles(shape, 0)).cwiseAbs().maxCoeff(), 0.06 * std::numbers::pi);

@@ -41,7 +41,7 @@ TEST(HeatKernel, AreaWeightedSumIsTheHeatTrace) {
   EXPECT_NEAR(mean, (-0.5 * spectrum.eigenvalues).array().exp().sum(), 1e-6);
 }
 
-TEST(HeatKernel, SignatureBecomesUniformLateAndIsLargestAtTipsEarly) {
+TEST(HeatKernel, SignatureIsUniformAtLateTimesAndLargestAtTipsEarly) {
   const Shape shape = test::box({0.4, 0.4, 3}, 12);
   const Spectrum spectrum = spectrum_of(shape);
   const Eigen::VectorXd late = heat_kernel_signature(spectrum, surface_area(shape), 100);

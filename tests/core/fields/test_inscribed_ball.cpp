@@ -27,7 +27,7 @@ TEST(InscribedBall, OfASphereHasItsDiameter) {
   EXPECT_LE(diameters.maxCoeff(), 4);
 }
 
-TEST(InscribedBall, OfABoxHasItsThicknessOrTwiceTheDistanceToAnEdge) {
+TEST(InscribedBall, DiameterIsTheBoxThicknessExceptNearEdges) {
   const Shape shape = test::box({4, 3, 1}, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 60});
@@ -178,7 +178,7 @@ TEST(InscribedBall, OfASphereCloudHasItsDiameterAndNeedsNormals) {
   EXPECT_NEAR(diameters.mean(), 2, 0.05);
 }
 
-TEST(InscribedBall, IsAvailableAsAField) {
+TEST(InscribedBall, FieldHasTheDiametersOfADirectComputation) {
   const Shape shape = test::sphere(2, 3);
   FieldSettings settings = field_settings("inscribed_ball");
   settings.values.set("separation_angle_degrees", 30.0);

@@ -39,13 +39,13 @@ void expect_reference(const Shape& shape, Eigen::Index count) {
   }
 }
 
-TEST(InscribedBallAgainstReference, MatchesOnSmoothAndAngularShapes) {
+TEST(InscribedBallAgainstReference, MatchesTheDefinitionOnSmoothAndAngularShapes) {
   expect_reference(test::torus(2, 0.7, 40, 24), 40);
   expect_reference(test::sphere(1, 5), 10);
   expect_reference(test::box({3, 2, 1}, 5), 60);
 }
 
-TEST(InscribedBallAgainstReference, MatchesOnTwoBodiesWithNoise) {
+TEST(InscribedBallAgainstReference, MatchesTheDefinitionOnTwoNoisyBodies) {
   Shape upper = test::box({30, 20, 3}, 20);
   upper.vertices.col(2).array() += 4;
   Shape shape = test::joined({test::box({30, 20, 3}, 20), upper});
@@ -54,7 +54,7 @@ TEST(InscribedBallAgainstReference, MatchesOnTwoBodiesWithNoise) {
   expect_reference(shape, 60);
 }
 
-TEST(InscribedBallAgainstReference, MatchesWithTrianglesOfMixedOrientation) {
+TEST(InscribedBallAgainstReference, MatchesTheDefinitionForTrianglesOfMixedOrientation) {
   Shape shape = test::torus(2, 0.7, 30, 18);
   for (Eigen::Index f = 0; f < shape.triangles.rows(); f += 3) {
     std::swap(shape.triangles(f, 0), shape.triangles(f, 1));
@@ -63,7 +63,7 @@ TEST(InscribedBallAgainstReference, MatchesWithTrianglesOfMixedOrientation) {
 }
 
 /// Slivers of a tessellated cylinder whose coordinates are rounded as in a binary STL file.
-TEST(InscribedBallAgainstReference, MatchesOnSliversInSinglePrecision) {
+TEST(InscribedBallAgainstReference, MatchesTheDefinitionOnSliversInSinglePrecision) {
   Shape shape = test::capsule(1.5, 60, 400, 3);
   shape.vertices = shape.vertices.cast<float>().cast<double>();
   const Eigen::VectorXd diameters = inscribed_ball(shape, sample_shape(shape, SampleSite::faces));
@@ -71,7 +71,7 @@ TEST(InscribedBallAgainstReference, MatchesOnSliversInSinglePrecision) {
   expect_reference(shape, 40);
 }
 
-TEST(InscribedBallAgainstReference, MatchesOnScannedMeshes) {
+TEST(InscribedBallAgainstReference, MatchesTheDefinitionOnScannedMeshes) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
   for (const std::string name : {"bunny.off", "armadillo.obj", "kitten.obj"}) {

@@ -40,7 +40,7 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereMatchSphericalHarmonics) {
   }
 }
 
-TEST(Laplacian, SpectrumContainsMultipleEigenvaluesForAnyCount) {
+TEST(Laplacian, SpectrumRepeatsMultipleEigenvaluesForAnyRequestedCount) {
   // 17 to 24 eigenvalues end among the nine copies of 20, which the mesh divides into four and five.
   for (const int count : {17, 18, 19, 20, 21, 22, 23, 24, 100}) {
     const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), count);
@@ -60,7 +60,7 @@ TEST(Laplacian, EigenvaluesOfARectangleMatchCosines) {
   }
 }
 
-TEST(Laplacian, EigenvectorsSolveTheProblemAndAreOrthonormalByArea) {
+TEST(Laplacian, EigenvectorsSolveTheEigenproblemAndAreOrthonormalByArea) {
   const Shape shape = test::capsule(0.5, 2, 16, 24);
   const Laplacian laplacian = cotangent_laplacian(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 12);

@@ -47,7 +47,7 @@ TEST(ProxySource, InterpolationWeightsFollowDistanceAndNormals) {
   }
 }
 
-TEST(ProxySource, InterpolationPreservesConstantsAndBoundsOfValues) {
+TEST(ProxySource, InterpolationPreservesConstantsAndStepsAtSharpEdges) {
   const Shape box = test::box({3, 2, 1}, 6);
   ProxySource source(box);
   const Eigen::Index count = source.proxy().points.rows();

@@ -44,7 +44,7 @@ TEST(MappedFile, KeepsTheBytesOfAReplacedOrRemovedFile) {
   EXPECT_EQ(mapped.bytes, bytes);
 }
 
-TEST(MappedFile, ReportsTheSameErrorsAsReading) {
+TEST(MappedFile, ReportsFoldersAndAbsentOrEmptyFilesAsUnreadable) {
   const TemporaryFolder folder;
   for (const auto& path : {folder.path(), folder.path() / "absent", folder.file("empty", "")}) {
     EXPECT_THAT([&] { map_file(path); }, ThrowsMessage<InputError>(StartsWith("cannot read " + path.string())));
@@ -86,7 +86,7 @@ TEST_F(AtomicFileTest, ReplacementKeepsThePermissionsOfTheEarlierFile) {
   }
 }
 
-TEST_F(AtomicFileTest, DoesNotReplaceAnExistingFileIfItMustBeNew) {
+TEST_F(AtomicFileTest, RefusesToReplaceAnExistingFileIfANewOneIsExpected) {
   const fs::path path = at("result");
   expect_new_file(path, true);
   const fs::path other = folder_.file("result", "of another program");
@@ -103,7 +103,7 @@ TEST_F(AtomicFileTest, ReplacesAFileCreatedByTheSameProcess) {
   EXPECT_EQ(bytes_of(path), "second");
 }
 
-TEST_F(AtomicFileTest, FollowsASymbolicLink) {
+TEST_F(AtomicFileTest, WritesToTheTargetOfASymbolicLink) {
   const auto path = folder_.file("target", "old");
   std::filesystem::create_symlink(path, at("link"));
   write_file_atomically(at("link"), "new");

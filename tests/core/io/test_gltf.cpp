@@ -162,7 +162,7 @@ TEST_F(GltfReader, ReplacesPositionsBySparseAccessors) {
   EXPECT_EQ(zeros.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
 }
 
-TEST_F(GltfReader, RejectsCountsAndIndicesThatContradictEachOther) {
+TEST_F(GltfReader, RejectsInconsistentCountsInvalidIndicesAndUnsupportedExtensions) {
   const std::string whole = document(R"({"mesh": 0})");
   EXPECT_THAT(error_of(with_change(whole, R"("count": 4)", R"("count": 5)")), HasSubstr("buffer view 0"));
   EXPECT_THAT(error_of(with_change(whole, R"("byteLength": 24)", R"("byteLength": 2400)")), HasSubstr("buffer view 1"));
@@ -188,7 +188,7 @@ TEST_F(GltfReader, RejectsCountsAndIndicesThatContradictEachOther) {
   EXPECT_THAT(error_of(whole), HasSubstr("vertex 4"));
 }
 
-TEST_F(GltfReader, RejectsDeeplyNestedNodes) {
+TEST_F(GltfReader, RejectsDeeplyNestedJson) {
   const std::string deep(100'000, '[');
   EXPECT_THAT(error_of(document(R"({"mesh": 0, "extras": )" + deep + "}")), HasSubstr("nested"));
 }

@@ -40,7 +40,7 @@ void expect_as_cgal_reads(const std::filesystem::path& path) {
   test::expect_same(read_shape(path), read_by_cgal(path));
 }
 
-TEST(CgalReader, ReadsTheSameMeshFromEveryFormat) {
+TEST(CgalReader, ReadsTheSameMeshAsTheLibraryFromEveryFormat) {
   const test::TemporaryFolder folder;
   const Shape shape = test::torus(3, 1, 20, 30);
   for (const auto& [name, bytes, optional] : test::encoded_in_every_format(shape)) {
@@ -58,7 +58,7 @@ TEST(CgalReader, ReadsTheFilesWrittenByTheLibrary) {
   }
 }
 
-TEST(CgalReader, ReadsTheSameMeshesFromBenchmarkFiles) {
+TEST(CgalReader, ReadsTheSameMeshesAsTheLibraryFromBenchmarkFiles) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
   for (const int i : {0, 100, 200, 300, 400, 599}) {

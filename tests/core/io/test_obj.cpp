@@ -18,7 +18,7 @@ const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 void expect_obj_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
 
-TEST(ReadObj, AcceptsAPlainFile) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
+TEST(ReadObj, ReadsVerticesAndTrianglesOfAPlainFile) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
 
 TEST(ReadObj, AcceptsKeywordsInCapitals) {
   expect_obj_tetrahedron("V 0 0 0\nV 1 0 0\nV 0 1 \\\n0\nV 0 0 1\nVN 0 0 1\nF 1 3 \\\n2\nF 1 2 4\nF 1 4 3\nF 2 3 4\n");
@@ -52,7 +52,7 @@ TEST(ReadObj, IgnoresWeightsAndColoursAfterVertices) {
       "v 0 0 0 1\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0 1 0 0 1\nv 0 0 1 # x\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
-TEST(ReadObj, JoinsContinuedLines) {
+TEST(ReadObj, JoinsLinesContinuedByABackslash) {
   expect_obj_tetrahedron(
       "v 0 \\\n 0 0\nv 1 0 0 \\\r\n1\nv 0 1 0\nv 0 0 1\nf 1 3 \\\n\\\n2\nf 1 2 4\nf 1 4 3\ng a \\\nf 1 1 1\nf 2 3 4");
 }
@@ -113,7 +113,7 @@ TEST(ReadObj, HeaderCheckRejectsTextWithoutVertices) {
   EXPECT_THROW(obj_format().check_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
 }
 
-TEST(WriteObj, WritesVerticesAndFacesWithShortestNumbers) {
+TEST(WriteObj, WritesVerticesAndFacesWithTheFewestPossibleDigits) {
   const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = -1.5e-300;
@@ -123,7 +123,7 @@ TEST(WriteObj, WritesVerticesAndFacesWithShortestNumbers) {
             "v 0 0 0\nv -1.5e-300 0 0\nv 0 1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
-TEST(ReadObj, AcceptsEveryFormOfFacesAndContinuations) {
+TEST(ReadObj, AcceptsFacesWithSignsTextureIndicesOrContinuedLines) {
   const Triangles expected = read_obj(obj_vertices + "f 1 2 3 4\n", "t.obj").triangles;
   for (const std::string faces : {"fo 1 2 3 4\n", "f +1 +2 +3 4\n", "f 1 2\\\n 3 4\n", "f 1 2 \\ \n 3 4\n",
                                   "f 1/1 2/2\\\r\n3/3 4/4\r\n", "usemtl C:\\mats\\\nf 1 2 3 4\n"}) {

@@ -185,7 +185,7 @@ TEST(ReadOff, HeaderCheckRecognisesOnlyOffFiles) {
   EXPECT_THROW(off_format().check_header("HELLO\n4 4 6\n", "t.off"), InputError);
 }
 
-TEST(WriteOff, WritesPlainOff) {
+TEST(WriteOff, WritesCountsVerticesAndFacesAsText) {
   const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = 0.1;

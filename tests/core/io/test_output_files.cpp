@@ -32,7 +32,7 @@ class CheckedOutputFiles : public test::FolderTest {
   fs::path other_ = folder_.file("other.off", "OFF\n");
 };
 
-TEST_F(CheckedOutputFiles, AcceptNewFiles) {
+TEST_F(CheckedOutputFiles, AreAcceptedIfTheyDoNotExist) {
   EXPECT_EQ(refusal({{.path = at("new.csv"), .what = "--output", .extensions = {".csv"}},
                      {.path = {}, .what = "--plot"},
                      {.path = at("absent/new.csv"), .what = "--table"}}),
@@ -51,7 +51,7 @@ TEST_F(CheckedOutputFiles, DoNotOverwriteFilesCreatedAfterTheCheck) {
   }
 }
 
-TEST_F(CheckedOutputFiles, AreRejectedIfTheyAreAnInputOtherThanTheOneTheyReplace) {
+TEST_F(CheckedOutputFiles, AreRejectedIfTheyWouldOverwriteAnotherInput) {
   for (const bool replace : {false, true}) {
     const std::string message = refusal({{.path = other_, .what = "--output"}}, replace);
     EXPECT_THAT(message, HasSubstr("--output would overwrite the input " + other_.string()));
@@ -59,7 +59,7 @@ TEST_F(CheckedOutputFiles, AreRejectedIfTheyAreAnInputOtherThanTheOneTheyReplace
   }
 }
 
-TEST_F(CheckedOutputFiles, RecogniseAnInputUnderAnyName) {
+TEST_F(CheckedOutputFiles, AreRecognisedAsAnInputBehindLinksAndOtherPaths) {
   fs::create_directory(at("folder"));
   fs::create_symlink("in.off", at("link.off"));
   fs::create_symlink("link.off", at("link_of_link.off"));

@@ -88,7 +88,7 @@ void expect_covered(const Corners& corners, double area) {
   EXPECT_NEAR(signed_area(shape), area, 1e-9 * area);
 }
 
-TEST(PolygonTriangulation, CoversConcavePolygonsOnce) {
+TEST(PolygonTriangulation, CoversConcavePolygonsWithoutOverlaps) {
   expect_covered(u_profile(), area_of_u);
   EXPECT_EQ(read(u_profile()).triangles.rows(), 6);
   expect_covered({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}, 4);  // an arrowhead
@@ -100,7 +100,7 @@ TEST(PolygonTriangulation, CoversConcavePolygonsOnce) {
   }
 }
 
-TEST(PolygonTriangulation, CoversAPolygonWithAnInwardEdgeOnce) {
+TEST(PolygonTriangulation, CoversAPolygonWithAnInwardEdgeWithoutOverlaps) {
   // A square whose last corner but one is inside it: the fan about the first corner folds over.
   const Corners square = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 1, 0}, {2, 4, 0}, {0, 4, 0}};
   expect_covered(square, 16);
@@ -119,7 +119,7 @@ TEST(PolygonTriangulation, KeepsTheOrientationOfConcavePolygons) {
   EXPECT_NEAR(signed_area(read(turned)), -area_of_u, 1e-9);
 }
 
-TEST(PolygonTriangulation, IsTheSameForAnySizeAndPlane) {
+TEST(PolygonTriangulation, DoesNotDependOnTheSizeAndPlaneOfThePolygon) {
   const auto expected = triangles_of(read(u_profile()));
   EXPECT_NE(expected, fan(8));
   for (const double scale : {1e-300, 1e-9, 1e9, 1e300}) {
@@ -148,7 +148,7 @@ TEST(PolygonTriangulation, CoversNearlyPlanarConcavePolygons) {
   EXPECT_NEAR(surface_area(shape), area_of_u, 0.01 * area_of_u);
 }
 
-TEST(PolygonTriangulation, ExcludesAHoleConnectedByABridge) {
+TEST(PolygonTriangulation, ExcludesAHoleConnectedToTheOutlineByABridge) {
   const Corners frame = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                          {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   expect_covered(frame, 12);
@@ -184,7 +184,7 @@ TEST(PolygonTriangulation, IsTheSameInEveryFileFormat) {
   EXPECT_EQ(triangles_of(read_ply(ply + "8 0 1 2 3 4 5 6 7\n", "shape")), expected);
 }
 
-TEST(PolygonTriangulation, RecordsPolygonsUnlessAllFacesAreTriangles) {
+TEST(PolygonTriangulation, RecordsThePolygonOfEachTriangleUnlessAllFacesAreTriangles) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   const Shape triangles = read_obj(vertices + "f 1 2 3\nf 1 3 4\n", "shape");
   EXPECT_FALSE(has_polygons(triangles));
@@ -204,7 +204,7 @@ TEST(PolygonTriangulation, RecordsPolygonsUnlessAllFacesAreTriangles) {
   EXPECT_EQ(polygon_count(flawed), 2);
 }
 
-TEST(PolygonTriangulation, HandlesTheMaximumOfCornersAndRejectsMore) {
+TEST(PolygonTriangulation, AcceptsTheMaximumNumberOfCornersAndRejectsMore) {
   const int most = static_cast<int>(max_polygon_corners);
   const Shape shape = read(star(most, 0.9));
   EXPECT_EQ(shape.triangles.rows(), most - 2);

@@ -30,14 +30,14 @@ void require_identical(const Shape& actual, const Shape& expected) {
   RC_ASSERT(actual.triangles == expected.triangles);
 }
 
-RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsCoordinatesAndIndicesExactly, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_off(folder.path() / "t.off", shape);
   require_identical(read_shape(folder.path() / "t.off"), shape);
 }
 
-RC_GTEST_PROP(RoundTrip, OfAPlyFileKeepsDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAPlyFileKeepsCoordinatesAndIndicesExactly, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   const Eigen::Index samples = shape.vertices.rows();
@@ -46,7 +46,7 @@ RC_GTEST_PROP(RoundTrip, OfAPlyFileKeepsDoublesAndIndices, ()) {
   require_identical(read_shape(folder.path() / "t.ply"), shape);
 }
 
-RC_GTEST_PROP(RoundTrip, OfAnObjFileKeepsDoublesAndIndices, ()) {
+RC_GTEST_PROP(RoundTrip, OfAnObjFileKeepsCoordinatesAndIndicesExactly, ()) {
   static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_obj(folder.path() / "t.obj", shape);
@@ -70,7 +70,7 @@ RC_GTEST_PROP(RoundTrip, OfAnStlFileKeepsCornersInSinglePrecision, ()) {
   RC_ASSERT(corners(read_shape(folder.path() / "again.stl")) == corners(read));
 }
 
-RC_GTEST_PROP(RoundTrip, OfACloudKeepsDoubles, ()) {
+RC_GTEST_PROP(RoundTrip, OfAPointCloudKeepsCoordinatesAndNormalsExactly, ()) {
   static const test::TemporaryFolder folder;
   Shape cloud{(*any_polygons(true)).vertices, {}, {}};
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
@@ -145,7 +145,7 @@ class RandomOffWriter {
   std::string text_;
 };
 
-RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsNumbersInAnyTextStyle, (unsigned seed)) {
+RC_GTEST_PROP(RoundTrip, OfAnOffFileKeepsNumbersWrittenWithAnySpacingAndNotation, (unsigned seed)) {
   const Polygons polygons = *any_polygons(false);
   const std::string text = RandomOffWriter(seed).write(polygons);
   RC_LOG(text);

@@ -61,7 +61,7 @@ TEST(TextScanner, SplitsWordsAtBlanksAndComments) {
   EXPECT_TRUE(scanned_words("# nothing").empty());
 }
 
-RC_GTEST_PROP(TextScanner, WordsMatchANaiveSplit, ()) {
+RC_GTEST_PROP(TextScanner, WordsMatchASplitCharacterByCharacter, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', '1', '#', ' ', '\t', '\n', '\r'));
   RC_ASSERT(scanned_words(text) == literal_words(text));
 }
@@ -89,7 +89,7 @@ std::optional<std::int64_t> integer_of(const std::string& text) {
   return value;
 }
 
-TEST(TextScanner, AcceptsCommonNumberFormats) {
+TEST(TextScanner, AcceptsFiniteDecimalNumbersOnly) {
   EXPECT_EQ(number_of("1.5"), 1.5);
   EXPECT_EQ(number_of(" # first\n-.25e1 7"), -2.5);
   EXPECT_EQ(number_of("+3"), 3);

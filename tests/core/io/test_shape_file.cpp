@@ -84,7 +84,7 @@ TEST_F(ReadShape, SuggestsAConversionForUnsupportedFormats) {
   EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
-TEST_F(ReadShape, RejectsFilesThatAreNotShapes) {
+TEST_F(ReadShape, RejectsFoldersPipesEmptyUnreadableAndUnknownFiles) {
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
   std::filesystem::create_directory(at("folder.off"));
   ASSERT_EQ(::mkfifo(at("pipe.off").c_str(), 0644), 0);
@@ -138,7 +138,7 @@ TEST(ShapeWriter, RejectsUnknownExtensions) {
   for (const char* const name : {"t.xyz", "t.doc", "t"}) EXPECT_THROW(shape_writer(name), InputError) << name;
 }
 
-TEST(ShapeWriter, RejectsShapesThatCouldNotBeReadBack) {
+TEST(ShapeWriter, RejectsInfiniteCoordinatesAndInvalidIndices) {
   const TemporaryFolder folder;
   Shape not_finite = tetrahedron();
   not_finite.vertices(2, 1) = std::numeric_limits<double>::infinity();
@@ -176,7 +176,7 @@ TEST(ShapeFormats, NamesOfModelsOmitTheExtension) {
 }
 
 /// Minimal format as a user of the library would add it.
-TEST(RegisterShapeFormat, AddsAUserDefinedEntry) {
+TEST(RegisterShapeFormat, MakesAUserDefinedFormatReadable) {
   static constexpr std::array<std::string_view, 1> extensions{".point"};
   const ShapeFormat format{.name = "point",
                            .description = "Three bytes: a point",

@@ -84,7 +84,7 @@ TEST(AppendNumber, WritesNumbersOfMaximumTextLengthExactly) {
   EXPECT_EQ(text, "0.1 -2 1e+30\n");
 }
 
-TEST(RequireWritable, RejectsShapesThatCouldNotBeReadBack) {
+TEST(RequireWritable, RejectsNonFiniteNumbersInvalidIndicesAndMissingNormals) {
   const Shape mesh{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}}};
   const Shape cloud{mesh.vertices, {}, mesh.vertices};
   EXPECT_NO_THROW(require_writable("x", mesh));

@@ -132,7 +132,7 @@ TEST_F(WriteStl, WarnsOfCoordinatesThatLosePrecision) {
   EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
 }
 
-TEST_F(WriteStl, RejectsShapesThatTheFormatCannotStore) {
+TEST_F(WriteStl, RejectsPointCloudsAndCoordinatesBeyondSinglePrecision) {
   EXPECT_THROW(write_stl(at("t.stl"), test::small_cloud()), InputError);
   Shape large = test::tetrahedron();
   large.vertices(3, 2) = 1e39;

@@ -122,7 +122,7 @@ double area_of(const FlatCorners& corners, const std::vector<PolygonTriangle>& t
   return area;
 }
 
-TEST(ConstrainedDelaunay, ExcludesAHoleConnectedByABridge) {
+TEST(ConstrainedDelaunay, ExcludesAHoleConnectedToTheOutlineByABridge) {
   const FlatCorners frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
   const std::vector<PolygonTriangle> triangles = constrained_delaunay(frame);
   for (const auto& [a, b, c] : triangles) {
@@ -138,7 +138,7 @@ TEST(ConstrainedDelaunay, CoversAPolygonWhoseSidePassesThroughOtherCorners) {
   EXPECT_EQ(area_of(corners, constrained_delaunay(corners)), 19.5);
 }
 
-TEST(ConstrainedDelaunay, CoversAnOutlineWithRepeatedSidesOnce) {
+TEST(ConstrainedDelaunay, CoversTheAreaOfAnOutlineWithRepeatedSides) {
   // An L with an area of 16, with corners anywhere on its sides, in any order.
   const FlatCorners outline = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 4}, {0, 4}};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -177,7 +177,7 @@ double doubled_area_of(const std::vector<Eigen::Vector3d>& corners, const Polygo
   return (at(triangle[1]) - at(triangle[0])).cross(at(triangle[2]) - at(triangle[0])).dot(normal);
 }
 
-TEST(TrianglesInPlaceOfFan, ReplaceOverlappingFans) {
+TEST(TrianglesInPlaceOfFan, CoverThePolygonIfItsFanOverlaps) {
   const Eigen::Vector3d normal = Eigen::Vector3d(2, 1, 0).cross(Eigen::Vector3d(0.5, 0, 3)).normalized();
   int fans = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -225,7 +225,7 @@ TEST(TrianglesInPlaceOfFan, DoNotDependOnSizeAndPosition) {
   }
 }
 
-TEST(TrianglesInPlaceOfFan, AreEmptyForTrianglesOrZeroArea) {
+TEST(TrianglesInPlaceOfFan, AreEmptyForTrianglesAndPolygonsWithoutArea) {
   EXPECT_TRUE(triangles_in_place_of_fan({}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>(7, Eigen::Vector3d(1, 2, 3))).empty());

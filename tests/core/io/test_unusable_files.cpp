@@ -88,7 +88,7 @@ TEST_F(UnusableFiles, WithDamagedBytesAreReadOrGiveAnInputError) {
   }
 }
 
-TEST_F(UnusableFiles, WithImpossibleCountsAllocateNoMemory) {
+TEST_F(UnusableFiles, WithImpossibleCountsAreRejectedWithoutLargeAllocations) {
   const std::string ply_vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string ply_faces =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"

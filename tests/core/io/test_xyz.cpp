@@ -21,7 +21,9 @@ Shape expect_three_points(const std::string& text) {
   return shape;
 }
 
-TEST(ReadXyz, ReadsThreeColumns) { EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0); }
+TEST(ReadXyz, ReadsThreeColumnsAsPointCoordinates) {
+  EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0);
+}
 
 TEST(ReadXyz, AcceptsAnySeparatorsCommentsAndLineEnds) {
   for (const char* text :
@@ -39,7 +41,7 @@ TEST(ReadXyz, TreatsColumnsFourToSixAsNormalsIfOfUnitLength) {
   EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, -0.8, 0, 0, 0).finished(), 1e-15));
 }
 
-TEST(ReadXyz, IgnoresFurtherColumns) {
+TEST(ReadXyz, IgnoresColumnsBeyondTheNormals) {
   const Shape shape = expect_three_points("0 0 .5 0 0 1 255 x 0\n1 0 -2 0 0 -1 0 y nan\n0 1e3 0 1 0 0 0 z 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, -1, 1, 0, 0).finished());
 }

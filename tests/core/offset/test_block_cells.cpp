@@ -55,7 +55,7 @@ TEST(BlockCells, FloodFillSpreadsAcrossFacesOfCells) {
   }
 }
 
-TEST(BlockCells, CellsAcrossASideMatchATestOfEachCell) {
+TEST(BlockCells, CellsAcrossASideShareAFaceWithTheGivenCells) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 100; ++i) {
     const BlockCells cells = random();
@@ -71,7 +71,7 @@ TEST(BlockCells, CellsAcrossASideMatchATestOfEachCell) {
   }
 }
 
-TEST(BlockCells, CellsTouchingANeighbourInAnyDirectionMatchATestOfEachCell) {
+TEST(BlockCells, CellsTouchingANeighbourLieAtTheSharedSideEdgeOrCorner) {
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3i direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     // A cell touches the neighbour if a step in that direction leaves the block along every axis of the direction.

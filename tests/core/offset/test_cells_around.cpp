@@ -64,7 +64,7 @@ TEST(CellsAround, AreTheEightCellsAroundAPoint) {
   EXPECT_GT(partly, 100);
 }
 
-TEST(CellsAround, AreConnectedOnlyOutsideTheOffsetSolid) {
+TEST(CellsAround, AreConnectedOnlyByPathsOutsideTheOffsetSolid) {
   const double r = 0.1;
   const Exterior wall(test::box({2, 2, 0.01}, 10), r, 0.025);
   const auto connected = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

@@ -36,7 +36,7 @@ struct Flooded {
   ExteriorGrid exterior;
 };
 
-TEST(ExteriorGrid, OfASphereBeginsBeyondTheOffset) {
+TEST(ExteriorGrid, OfASphereContainsTheCellsBeyondTheOffsetDistance) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const std::vector<bool> cells = exterior_cells(flooded.exterior);
@@ -78,7 +78,7 @@ Shape open_box(Eigen::Index axis, double side) {
   return box;
 }
 
-TEST(ExteriorGrid, FillsAnOpenBoxToItsBottomFromEachSide) {
+TEST(ExteriorGrid, FillsABoxOpenAtAnySideToItsBottom) {
   for (const double r : {0.2, 0.23, 0.26}) {
     for (int side = 0; side < 6; ++side) {
       const Shape box = open_box(side / 2, side % 2 == 0 ? -1 : 1);

@@ -48,7 +48,7 @@ std::vector<std::uint8_t> random_blocks(const BlockGrid& grid, unsigned seed, do
   return marked;
 }
 
-TEST(FarBlocks, AreTheBlocksReachedByABreadthFirstSearch) {
+TEST(FarBlocks, AreThoseReachedByBreadthFirstSearchAwayFromTheSurface) {
   const BlockGrid grid = long_grid();
   ASSERT_GT(grid.blocks.x(), BlockRows::bits);
   for (unsigned seed = 0; seed < 30; ++seed) {

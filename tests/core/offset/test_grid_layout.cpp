@@ -12,7 +12,7 @@ namespace {
 /// A sphere whose bounding box has a diagonal of 1.
 Shape unit_sphere() { return test::sphere(0.5 / std::sqrt(3), 3); }
 
-TEST(GridLayout, HasTheRequestedNumberOfCellsWithinTheMemoryLimit) {
+TEST(GridLayout, HasTheRequestedCellsPerOffsetWithinTheMemoryLimit) {
   const Shape shape = unit_sphere();
   const GridLayout layout = choose_grid_layout(shape, bounding_box(shape), 0.05, 4);
   EXPECT_EQ(layout.offset, 0.05);
@@ -20,7 +20,7 @@ TEST(GridLayout, HasTheRequestedNumberOfCellsWithinTheMemoryLimit) {
   EXPECT_EQ(layout.spacing, 1);  // a quarter of r
 }
 
-TEST(GridLayout, EnlargesTheOffsetBeyondTheMemoryLimit) {
+TEST(GridLayout, EnlargesTheOffsetIfTheGridExceedsTheMemoryLimit) {
   const Shape shape = unit_sphere();
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
   const GridLayout layout = choose_grid_layout(shape, bounds, 1e-5, 3);

@@ -60,7 +60,7 @@ TEST(GridSurface, KeepsOneSmallTrianglePerCube) {
   }
 }
 
-TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
+TEST(GridSurface, SearchReturnsAllPointsWithinReachOfAPosition) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.05);
   const GridSurface surface(grid, torus, 1, false);

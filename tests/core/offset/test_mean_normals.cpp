@@ -39,7 +39,7 @@ TEST(MeanNormals, OfAPlaneAreItsNormalForAnyOrientationOfFaces) {
   EXPECT_GT(inner, 50);
 }
 
-TEST(MeanNormals, OfASphereMatchTheIntegral) {
+TEST(MeanNormals, OfASphereMatchAnAnalyticIntegral) {
   // Within a small angle a of the pole the mean of cos^2, weighted by (1 - (t/a)^2)^2, is 1 - a^2/4 to second order; a
   // is r/2, and the mean is computed twice.
   const Shape sphere = test::sphere(1, 5);

@@ -56,7 +56,7 @@ std::vector<CubeEdge> edges_of(const Shape& cube) {
   return edges;
 }
 
-TEST(NearestOffsetPoint, ConvergesAroundEdges) {
+TEST(NearestOffsetPoint, SearchConvergesAroundEdgesOfACube) {
   const Shape cube = test::box({1, 1, 1}, 1);
   const double r = 0.2;
   const TaskGrid grids(cube, r);
@@ -78,7 +78,7 @@ TEST(NearestOffsetPoint, ConvergesAroundEdges) {
   }
 }
 
-TEST(NearestOffsetPoint, ConvergesAroundCorners) {
+TEST(NearestOffsetPoint, SearchConvergesAroundCornersOfACube) {
   const Shape cube = test::box({1, 1, 1}, 1);
   const double r = 0.2;
   const TaskGrid grids(cube, r);

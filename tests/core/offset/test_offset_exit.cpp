@@ -149,13 +149,14 @@ TEST(OffsetExit, OfATorusIsTheFirstPointOutsideItsOffset) {
     const double t = exit(p, direction);
     const Eigen::Vector3d q = p + t * direction;
     EXPECT_NEAR(signed_distance(q), r, 0.02 * r) << p.transpose() << " along " << direction.transpose();
-    for (double s = 0; s < t; s += 0.05 * r) EXPECT_LT(signed_distance(p + s * direction), 1.02 * r) << s / t;
+    const double step = 0.05 * r;
+    for (int k = 0; k * step < t; ++k) EXPECT_LT(signed_distance(p + k * step * direction), 1.02 * r) << k * step / t;
     through_the_hole += std::hypot(q.x(), q.y()) < ring - tube ? 1 : 0;
   }
   EXPECT_GT(through_the_hole, 10);
 }
 
-TEST(OffsetExit, CrossesVoidsAndNarrowGaps) {
+TEST(OffsetExit, LiesBeyondVoidsAndNarrowGaps) {
   const double r = 0.1;
   const Shape hollow = test::joined({test::sphere(1, 5), test::flipped(test::sphere(0.6, 5))});
   const ExitOf exit_of_hollow(hollow, r);
@@ -214,7 +215,9 @@ TEST(OffsetExit, IsTheFirstPointAtAnExteriorCellBeyondTheOffset) {
     EXPECT_GT(distance_to_mesh(shape, p + t * direction), 0.98 * r) << i;
     // The walk may pass a corner of a cube by less than this.
     const double margin = 0.05 * r;
-    for (double s = r; s < t - margin; s += 0.13 * r) {
+    const double step = 0.13 * r;
+    for (int k = 0; r + k * step < t - margin; ++k) {
+      const double s = r + k * step;
       const bool is_free = distance_to_mesh(shape, p + s * direction) > 1.02 * r;
       const bool is_at_exterior = touches_exterior(exit.exterior(), grid.to_cells(p + (s - margin) * direction)) &&
                                   touches_exterior(exit.exterior(), grid.to_cells(p + (s + margin) * direction));

@@ -77,7 +77,7 @@ TEST(OffsetSites, AreOnTheOffsetSurface) {
   }
 }
 
-TEST(OffsetSites, AreTheExteriorCellsInTheBand) {
+TEST(OffsetSites, AreExteriorCellCentresMovedToTheOffsetDistance) {
   const SiteGrid all(test::box({1, 0.8, 0.6}, 1), 0.2);
   const std::vector<std::vector<std::uint32_t>> numbers = sites_by_block(all);
   const double r = all.grid.r;
@@ -110,7 +110,7 @@ TEST(OffsetSites, AreTheExteriorCellsInTheBand) {
   EXPECT_GT(cells, 1000U);
 }
 
-TEST(OffsetSites, OfASphereFillTheShell) {
+TEST(OffsetSites, OfASphereAreOnePerCellInTheBandBeyondTheOffset) {
   const SiteGrid all(test::sphere(1, 4), 0.1);
   const double inner = (1 + 0.1) / all.grid.cell;
   const double outer = inner + band_of_sites;
@@ -118,7 +118,7 @@ TEST(OffsetSites, OfASphereFillTheShell) {
   EXPECT_NEAR(static_cast<double>(all_sites(all).size()) / volume, 1, 0.02);
 }
 
-TEST(OffsetSites, CubesMarkedOccupiedContainSites) {
+TEST(OffsetSites, OccupiedCubesAreExactlyThoseThatContainSites) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.07);
   const std::vector<std::vector<std::uint32_t>> numbers = sites_by_block(all);
   const Eigen::Vector3i cubes = all.sites.cubes;
@@ -189,7 +189,7 @@ TEST(NearbySites, DistanceIsInfiniteIfThereAreNoSites) {
   EXPECT_TRUE(starts.empty());
 }
 
-TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
+TEST(NearbySites, CollectAllSitesWithinADistanceOfABox) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.07);
   const std::vector<std::uint32_t> numbers = all_sites(all);
   NearbySites nearby(all.exterior, all.sites);

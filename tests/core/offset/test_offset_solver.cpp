@@ -41,7 +41,7 @@ TEST(OffsetSolver, ResultOfASampleDoesNotDependOnOtherSamples) {
   }
 }
 
-TEST(OffsetSolver, BreaksTiesByTheNormal) {
+TEST(OffsetSolver, ChoosesTheSideOfTheNormalIfBothSidesAreEquallyNear) {
   // Both sides of an open sheet are exterior and equally near.
   const Shape sheet{.vertices = Points{{0, 0, 0}, {0.7, 0, 0}, {0.7, 0.7, 0}, {0, 0.7, 0}},
                     .triangles = Triangles{{0, 1, 2}, {0, 2, 3}}};

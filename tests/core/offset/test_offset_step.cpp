@@ -265,7 +265,7 @@ double angle_after_step(const std::vector<Eigen::Vector3d>& centres, const Eigen
   return std::atan2(x.cross(direction).norm(), x.dot(direction));
 }
 
-TEST(CurvatureCorrection, ReachesTheSolutionInOneStepAroundCornersAndEdges) {
+TEST(CurvatureCorrection, ReachesTheNearestOffsetPointInOneStepAroundCornersAndEdges) {
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   EXPECT_LT(angle_after_step({none}, none, 2), 1e-5) << "corner";
   EXPECT_LT(angle_after_step({none}, Eigen::Vector3d::UnitZ(), 2), 1e-5) << "edge";

@@ -29,7 +29,7 @@ TEST(OnSurfaceCheck, AcceptsSamplesAndRejectsPointsOffTheSurface) {
   }
 }
 
-TEST(OnSurfaceCheck, FindsTheTriangleOfASampleOnASliver) {
+TEST(OnSurfaceCheck, AcceptsASampleOnASliverTriangle) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices.conservativeResize(11, 3);
   shape.vertices.bottomRows(3) << 0, 0, 2, 0.35, 0, 2, 0.1, 1e-9, 2;

@@ -42,7 +42,7 @@ std::vector<Triangle> triangles_of_all_kinds(int count) {
   return triangles;
 }
 
-TEST(TriangleTable, MatchesTheClosestPointInDoublePrecision) {
+TEST(TriangleTable, DistancesMatchTheClosestPointInDoublePrecision) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(800);
   TriangleTable table;
   table.resize(triangles.size());

@@ -21,7 +21,7 @@ void expect_valid(const Shape& mesh) {
   EXPECT_GT(triangle_areas(mesh).minCoeff(), 0);
 }
 
-TEST(Decimate, KeepsASphereClosedRoundAndOutward) {
+TEST(Decimate, KeepsASphereClosedWithItsVolumeAndOutwardNormals) {
   const Shape sphere = test::sphere(1, 5);  // 20480 faces
   const Shape coarse = decimate(sphere, 1000);
   expect_valid(coarse);
@@ -80,7 +80,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
   EXPECT_NEAR(outward / static_cast<double>(mixed.triangles.rows()), 0.5, 0.15);
 }
 
-TEST(Decimate, KeepsTouchingSurfacesClosed) {
+TEST(Decimate, KeepsTwoBoxesWithACommonEdgeClosed) {
   // Two boxes with a common edge, shared by four faces.
   const Shape box = test::box({1, 1, 1}, 6);
   const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
@@ -111,7 +111,7 @@ TEST(Decimate, ReturnsSmallMeshesUnchanged) {
   EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
 }
 
-TEST(Decimate, RejectsCloudsEmptyShapesAndTooFewFaces) {
+TEST(Decimate, RejectsCloudsEmptyShapesAndUnreachableNumbersOfFaces) {
   const Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   EXPECT_THROW(decimate(cloud, 100), InputError);
   EXPECT_THROW(decimate(Shape{}, 100), InputError);

@@ -65,7 +65,7 @@ TEST(UniformRotation, IsUniformOverAllRotations) {
   EXPECT_LT((squares / draws - Eigen::Matrix3d::Constant(1. / 3)).cwiseAbs().maxCoeff(), 0.0048);
 }
 
-TEST(RandomSelection, HasTheRoundedFractionOfTheSize) {
+TEST(RandomSelection, SelectsTheRequestedFractionOfElementsToTheNearestInteger) {
   RandomNumbers random(1);
   for (const auto& [count, fraction, expected] : {std::tuple{10, 0.0, 0},
                                                   {10, 1.0, 10},
@@ -86,7 +86,7 @@ TEST(RandomSelection, RejectsFractionsOutOfRange) {
   }
 }
 
-TEST(ElementRemoval, KeepsTheOrderOfTrianglesAndAllVertices) {
+TEST(ElementRemoval, KeepsAllVerticesAndTheOrderOfRemainingTriangles) {
   const Shape box = test::box({1, 1, 1}, 1);
   std::vector<bool> removed(12);
   removed[0] = removed[5] = true;
@@ -139,7 +139,7 @@ TEST(VertexNoise, UniformDisplacementsFillTheBall) {
   EXPECT_LT(moves.colwise().mean().norm(), 5 * radius * std::sqrt(0.6 / n));
 }
 
-TEST(VertexNoise, DependsOnTheSeedAndIsProportionalToSize) {
+TEST(VertexNoise, DependsOnTheSeedAndIsProportionalToShapeSize) {
   const Shape box = test::box({1, 2, 3}, 4);
   EXPECT_EQ(noisy(box, {}, 7).vertices, noisy(box, {}, 7).vertices);
   EXPECT_NE(noisy(box, {}, 7).vertices, noisy(box, {}, 8).vertices);
@@ -251,7 +251,7 @@ TEST(PunchHoles, RemovesThePointsOfACloudWithinEachHole) {
   EXPECT_EQ(rest.vertices.rows(), cloud.vertices.rows() - 3);
 }
 
-TEST(PunchHoles, RefusesToRemoveAllFacesAndOptionsOutOfRange) {
+TEST(PunchHoles, RefusesOptionsOutOfRangeAndHolesThatRemoveAllFaces) {
   const Shape box = test::box({1, 1, 1}, 2);
   EXPECT_THROW(punched(box, {.number = 1, .radius = 1}, 1), InputError);
   EXPECT_THROW(punched(box, {.number = 1, .radius = 1.5}, 1), InputError);
@@ -287,7 +287,7 @@ TEST(RandomMotion, IsASimilarityWithoutReflection) {
   }
 }
 
-TEST(RandomMotion, ScalesLogUniformly) {
+TEST(RandomMotion, DrawsScaleFactorsLogUniformly) {
   const Shape box = test::box({1, 1, 1}, 1);
   constexpr int n = 2000;
   double sum = 0;
@@ -301,7 +301,7 @@ TEST(RandomMotion, ScalesLogUniformly) {
   EXPECT_NEAR(squares / n, 1. / 3, 5 * std::sqrt(4. / 45 / n));
 }
 
-TEST(RandomMotion, MovesByAtMostTheDiagonalWithoutScaling) {
+TEST(RandomMotion, KeepsTheSizeAndTranslatesByAtMostTheDiagonalAtScaleOne) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Shape other = moved(box, 1, seed);

@@ -26,7 +26,7 @@ Shape applied(std::string_view name, const Settings& settings, const Shape& shap
 const Shape sphere = test::sphere(1, 3);
 
 /// Each entry calls its function with each setting as the right argument.
-TEST(ShapePerturbations, ApplyTheLibraryFunctionsOfTheirNames) {
+TEST(ShapePerturbations, PassTheirParametersToTheMatchingLibraryFunction) {
   const auto expect_same = [](const Shape& a, const Shape& b) {
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
@@ -105,7 +105,7 @@ constexpr std::array stretch_parameters{Parameter{.name = "factor",
                                                   .description = "Of the stretch along x."}};
 
 /// Minimal perturbation as a user of the library would add it.
-TEST(RegisterShapePerturbation, AddsAUserDefinedEntry) {
+TEST(RegisterShapePerturbation, MakesAUserDefinedPerturbationAvailableByName) {
   shape_perturbations().add({.name = "test_stretch",
                              .description = "Stretched along x.",
                              .parameters = stretch_parameters,

@@ -150,7 +150,7 @@ TEST(NoiseLevel, OfATriangleSoupMatchesItsWeldedMesh) {
   EXPECT_FALSE(is_noisy(far));
 }
 
-TEST(NoiseLevel, IsUndefinedForFewVertices) {
+TEST(NoiseLevel, OfAMeshOfFewVerticesDoesNotCountAsNoisy) {
   const Shape few = with_isotropic_noise(test::sphere(1, 2), 0.1);  // 162 vertices
   EXPECT_GE(level_of(few).relative(), 0.1);
   EXPECT_FALSE(is_noisy(few));

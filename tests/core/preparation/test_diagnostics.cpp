@@ -69,7 +69,7 @@ TEST(Diagnose, CountsInconsistentEdgesOfAReversedTriangle) {
   EXPECT_EQ(diagnose(test::flipped(cube())).inconsistent_edges, 0U);
 }
 
-TEST(Diagnose, ConnectsComponentsAtCoincidentVertices) {
+TEST(Diagnose, CountsPartsWithCoincidentVerticesAsOneComponent) {
   const auto two_cubes = [](double x, double y) {
     return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
@@ -132,7 +132,7 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_TRUE(diagnose(twice).closed);
 }
 
-TEST(Diagnose, DoesNotDependOnOrderAndSize) {
+TEST(Diagnose, GivesTheSameCountsForAnyTriangleOrderAndMeshSize) {
   const Shape broken = with_triangle(
       with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), test::twisted_band(9, 1)}), 0, 1, 2), 5,
       5, 9);

@@ -62,7 +62,7 @@ TEST(DoubledTriangles, DoNotChangeTheWidestGap) {
   });
 }
 
-TEST(DoubledTriangles, DoNotChangeTheScale) {
+TEST(DoubledTriangles, DoNotChangeTheSurfaceAreaAndTubeArea) {
   const auto areas = [](const Shape& shape) { return std::array{positive_area(shape), tube_area(shape)}; };
   for_each_variant_with_duplicates(
       areas, [&](const std::array<double, 2>& expected, const test::ShapeWithDuplicates& doubled) {
@@ -70,7 +70,7 @@ TEST(DoubledTriangles, DoNotChangeTheScale) {
       });
 }
 
-TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
+TEST(DoubledTriangles, AreDenoisedLikeTheMeshWithoutDuplicates) {
   RandomNumbers random(1);
   const Shape noisy =
       vertex_noise(test::sphere(1, 4), {.amplitude = 0.03, .distribution = NoiseDistribution::gaussian}, random);

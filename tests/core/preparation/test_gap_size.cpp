@@ -93,7 +93,7 @@ TEST(GapSize, OfSeparatePatchesIsHalfTheWidthOfTheCracks) {
   }
 }
 
-TEST(GapSize, OfCracksIsFoundNextToAWideHole) {
+TEST(GapSize, ClosableGapIgnoresAWideHoleNextToCracks) {
   const double crack = 1e-3;
   const Shape two = test::joined(
       {cracked_cube(crack), test::transformed(cube_with_holes(1 / 2.0, 0), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
@@ -157,7 +157,7 @@ TEST(GapSize, OfAGridOfPointsIsTheDistanceToTheSixthNeighbour) {
   EXPECT_NEAR(gap_sizes(grid).closable, std::sqrt(5.0), 1e-12);
 }
 
-TEST(GapSize, OfFewPointsIsTheDistanceToTheFarthest) {
+TEST(GapSize, OfFewPointsIsTheirLargestDistance) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(gap_sizes({points, {}}).closable, 3);
   EXPECT_EQ(gap_sizes({points.topRows(2), {}}).closable, 1);

@@ -51,7 +51,7 @@ TEST(ScaledToUnitArea, RefusesACloudWithoutArea) {
   EXPECT_THROW(prepare_shape({huge, {}, {}}, {}), InputError);
 }
 
-TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
+TEST(ScaledToUnitArea, RefusesShapesWithZeroOrNonFiniteArea) {
   EXPECT_THROW(prepare_shape(Shape{}, {}), InputError);
   EXPECT_THROW(prepare_shape(test::box({1, 0, 0}, 1), {}), InputError);
   EXPECT_THROW(prepare_shape(test::box({1e200, 1e200, 1}, 1), {}), InputError);

@@ -58,7 +58,7 @@ TEST(TubeArea, GrowsLessThanTheSurfaceAreaUnderNoise) {
   EXPECT_LT(tube_area(noisy) / tube_area(torus), 1.25);
 }
 
-TEST(TubeArea, OfACloudMatchesItsSurface) {
+TEST(TubeArea, OfAPointCloudMatchesThatOfTheSampledMesh) {
   for (const Shape& mesh : {test::sphere(1, 5), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     for (const auto& [points, tolerance] : {std::pair(3000, 0.03), {10000, 0.01}}) {
       const Shape cloud = test::random_points(mesh, points, 1);

@@ -50,7 +50,7 @@ Eigen::Vector3d barycentric(const Shape& mesh, std::int32_t triangle, const Eige
 /// A mesh with triangles of very different sizes.
 Shape uneven_mesh() { return test::joined({test::torus(2, 0.5, 9, 5), test::box({1, 0.2, 0.1}, 3)}); }
 
-TEST(DenseSamples, LieInTheirTrianglesWithTheirNormals) {
+TEST(DenseSamples, LieOnTheirTrianglesAndHaveTheTriangleNormals) {
   const Shape mesh = uneven_mesh();
   const DenseSamples samples = dense(mesh, 2000);
   ASSERT_EQ(samples.points.rows(), 2000);
@@ -132,7 +132,7 @@ TEST(DenseSamples, DoNotDependOnTheOrderAndOrientationOfTriangles) {
   }
 }
 
-TEST(DenseSamples, CountDuplicatesOnceAndDegenerateTrianglesNever) {
+TEST(DenseSamples, CountDuplicateTrianglesOnceAndIgnoreDegenerateOnes) {
   const Shape mesh = test::torus(2, 0.5, 9, 5);
   Shape more = test::joined({mesh, test::flipped(mesh)});
   more.triangles.conservativeResize(more.triangles.rows() + 2, 3);
@@ -176,7 +176,7 @@ TEST(DenseSamples, DoNotOrientAMoebiusBand) {
   }
 }
 
-TEST(DenseSamples, SheetsEndAtNonManifoldEdges) {
+TEST(DenseSamples, BelongToDifferentSheetsAcrossANonManifoldEdge) {
   // A square of two triangles, and a third triangle at its diagonal.
   const Shape fins{Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
                    Triangles{{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}};
@@ -264,7 +264,7 @@ bool are_on_same_sheet(const DenseSamples& samples) {
   return same;
 }
 
-TEST(NormalAgreement, IgnoresTheSignBetweenSheets) {
+TEST(NormalAgreement, IgnoresTheSignOfNormalsOfDifferentSheets) {
   const Eigen::RowVector3d down(0.6, 0, -0.8);
   EXPECT_DOUBLE_EQ(normal_agreement(two_samples({1, 0, 0}, {0, 0, 1}, down, 0), 0, 1), -0.8);
   EXPECT_DOUBLE_EQ(normal_agreement(two_samples({1, 0, 0}, {0, 0, 1}, down, 1), 0, 1), 0.8);
@@ -273,7 +273,7 @@ TEST(NormalAgreement, IgnoresTheSignBetweenSheets) {
   EXPECT_DOUBLE_EQ(normal_agreement(of_no_sheet, 0, 1), 0.8);
 }
 
-TEST(OnSameSheet, HoldsForArcsBelow107Degrees) {
+TEST(OnSameSheet, HoldsForTwoPointsOnAnArcShorterThan107Degrees) {
   for (int degrees = 1; degrees < 180; degrees += 2) {
     const double turn = degrees * std::numbers::pi / 180;
     const Eigen::RowVector3d position(std::sin(turn), 0, std::cos(turn) - 1);
@@ -292,7 +292,7 @@ TEST(OnSameSheet, ExcludesTheOtherSideOfAThinWall) {
   EXPECT_TRUE(are_on_same_sheet(two_samples({1, 0, 0}, {0, 0, 1}, {0, 0, -1}, 1))) << "turned triangles";
 }
 
-TEST(OnSameSheet, HoldsForOffsetParallelPlanesBelowALimitAngle) {
+TEST(OnSameSheet, HoldsForParallelNormalsOnlyIfTheConnectionIsNearlyTangential) {
   // Both distances from the planes are sin(a), and their squares are below 0.2 together.
   const double limit = std::asin(std::sqrt(0.1));
   for (const double angle : {0.0, 0.9 * limit, 1.1 * limit, 1.5}) {

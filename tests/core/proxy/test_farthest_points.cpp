@@ -74,7 +74,7 @@ TEST(FarthestPoints, CoverBothSidesOfAThinWallSeparately) {
   }
 }
 
-TEST(FarthestPoints, AreNoMoreThanDistinctPositions) {
+TEST(FarthestPoints, AreAtMostAsManyAsDistinctPositions) {
   DenseSamples samples;
   samples.points = Points{{0, 0, 0}, {3, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   samples.normals = Points::Zero(4, 3);

@@ -45,7 +45,7 @@ TEST(LocalConnectivity, ConnectsTheEndsOfAHorseshoeOnlyInLargeBalls) {
   EXPECT_TRUE(connectivity.connected_in_ball(0, 1, between, 0.6)) << "the halves of a square";
 }
 
-TEST(LocalConnectivity, ConnectsDiagonalSquaresThroughVerticesOnly) {
+TEST(LocalConnectivity, ConnectsSquaresWithACommonCornerThroughVerticesOnly) {
   LocalConnectivity connectivity = connectivity_of(squares({{0, 0}, {1, 1}}));
   const Eigen::Vector3d corner(1, 1, 0);
   EXPECT_FALSE(connectivity.in_same_component(0, 2));
@@ -74,7 +74,7 @@ TEST(LocalConnectivity, VisitsEachTriangleOfAFanOnce) {
   EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, SharedElement::vertex));
 }
 
-TEST(LocalConnectivity, ReportsWhetherItMetABorder) {
+TEST(LocalConnectivity, ReportsWhetherTheSearchMetAMeshBoundary) {
   LocalConnectivity closed = connectivity_of(test::box({1, 1, 1}, 1));
   EXPECT_TRUE(closed.connected_in_ball(0, 11, {0, 0, 0}, 10));
   EXPECT_FALSE(closed.has_visited_boundary());

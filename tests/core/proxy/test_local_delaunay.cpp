@@ -38,7 +38,7 @@ std::vector<Triangle> empty_circles(const std::vector<Eigen::Vector2d>& points) 
   return triangles;
 }
 
-TEST(DelaunayStar, HasTheTrianglesWithEmptyCircles) {
+TEST(DelaunayStar, HasExactlyTheTrianglesWithEmptyCircumcircles) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     RandomNumbers random(seed);
     std::vector<Eigen::Vector2d> points(3 + random.below(20));

@@ -37,7 +37,7 @@ TEST(ProxyGeodesics, AreShortestPathsInTheGraphOfArcs) {
   }
 }
 
-TEST(ProxyGeodesics, AreasMatchVoronoiCells) {
+TEST(ProxyGeodesics, LandmarkAreasAreTheAreasOfTheirVoronoiCells) {
   const SurfaceProxy proxy = surface_proxy(test::sphere(1, 3), 400);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 20);
   EXPECT_NEAR(geodesics.areas.sum(), proxy.areas.sum(), 1e-12 * proxy.areas.sum());

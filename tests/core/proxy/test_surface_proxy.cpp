@@ -193,7 +193,7 @@ TEST(SurfaceProxy, EigenvaluesConvergeWithTheNumberOfPoints) {
   EXPECT_LT(errors[2], 0.7 * errors[1]);
 }
 
-TEST(SurfaceProxy, AgreesWithTheCotangentLaplacian) {
+TEST(SurfaceProxy, EigenvaluesMatchTheCotangentLaplacian) {
   const Shape mesh = test::torus(1, 0.4, 40, 100);
   const Eigen::VectorXd expected = laplacian_spectrum(mesh, 21).eigenvalues.tail(20) * surface_area(mesh);
   EXPECT_LT(largest_relative_difference(eigenvalues_of(mesh, 20), expected), 0.03);
@@ -249,7 +249,7 @@ TEST(SurfaceProxy, MovesAndScalesWithTheShape) {
   EXPECT_TRUE(large.stiffness.isApprox(small.stiffness, 1e-9));
 }
 
-TEST(SurfaceProxy, AcceptsSmallAndDegenerateShapes) {
+TEST(SurfaceProxy, AcceptsASingleTriangleAndCloudsOfFewPoints) {
   const Shape triangle{.vertices = (Points(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
                        .triangles = (Triangles(1, 3) << 0, 1, 2).finished()};
   EXPECT_EQ(surface_proxy(triangle).components, 1);

@@ -80,7 +80,7 @@ const std::vector<Eigen::Vector3d> directions_up = {{1, 0, 0}, {-1, 0, 0}, {0, 1
 TEST(UprightView, ShowsTheTopAboveTheBottomForAnyRotationAboutUp) {
   for (const Eigen::Vector3d& up : directions_up) {
     const Eigen::Matrix3d raise = rotation_between(Eigen::Vector3d::UnitZ(), up);
-    for (double degrees = 0; degrees < 360; degrees += 40) {
+    for (int degrees = 0; degrees < 360; degrees += 40) {
       const Eigen::Matrix3d rotation = raise * rotation_about(Eigen::Vector3d::UnitZ(), degrees);
       const Shape shape = turned(figure(), rotation);
       const RenderOptions view = upright_view(shape, {.up = up});
@@ -108,7 +108,7 @@ TEST(UprightView, ShowsShapesWithoutABroadSideFromTheFront) {
   const Eigen::Vector3d front = upright_view(Shape{}, {.up = up}).towards_viewer;
   EXPECT_GT(cosine(front, {0, -1, 0}), 0.85);
   const Shape pillar = test::box({1, 1, 5}, 2);
-  for (double degrees = 0; degrees < 90; degrees += 7) {
+  for (int degrees = 0; degrees < 90; degrees += 7) {
     EXPECT_EQ(upright_view(turned(pillar, rotation_about(up, degrees)), {.up = up}).towards_viewer, front) << degrees;
   }
   const Shape line{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {0, 0, 3}}, .triangles = Triangles{{0, 1, 2}}};

@@ -59,7 +59,7 @@ TEST(ColourMap, MapsARangeOfValuesLinearly) {
   EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(1), colour_of(0.5), colour_of(nan)}));
 }
 
-TEST(ColourMap, MapsAllEqualValuesToTheMiddleColour) {
+TEST(ColourMap, ShowsTheValueOfAZeroWidthRangeInTheMiddleColour) {
   const std::vector<Colour> colours = colours_of(Eigen::Vector4d(1, 2, 3, nan), 2, 2);
   EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(0.5), colour_of(1), colour_of(nan)}));
 }

@@ -173,7 +173,7 @@ TEST(RenderShape, LightsTheShapeFromAbove) {
   EXPECT_GT(pixel(image, 60, 15)[0], pixel(image, 60, 75)[0] + 20);
 }
 
-TEST(RenderShape, ShowsAFlatShapeEdgeOn) {
+TEST(RenderShape, AcceptsALineSegmentSeenEndOn) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   EXPECT_NO_THROW(render(test::box({0, 0, 1}, 1), options));
@@ -210,7 +210,7 @@ TEST(RenderShape, ShowsPointsOfACloudInTheirColours) {
   EXPECT_GT(pixel(image, 80, 45)[1], 100);
 }
 
-TEST(RenderShape, RejectsShapesWithoutExtentMismatchedColoursAndOptionsOutOfRange) {
+TEST(RenderShape, RejectsMismatchedColoursOptionsOutOfRangeAndShapesWithoutExtent) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
   EXPECT_THROW(render(test::box({0, 0, 0}, 1), {}), InputError);

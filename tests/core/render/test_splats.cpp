@@ -51,7 +51,7 @@ TEST(Splats, ScaleWithTheCloudAndHaveSizeZeroForCoincidentPoints) {
   EXPECT_TRUE(splats(line).vertices.allFinite());
 }
 
-TEST(Splats, AreRegularHexagonsWithTheAreaOfPoints) {
+TEST(Splats, AreRegularHexagonsProportionalToTheAreaOfTheirPoint) {
   const Shape cloud = test::random_points(test::sphere(3, 4), 400, 2);
   const Shape mesh = splats(cloud);
   const Eigen::VectorXd weights = point_weights(cloud.vertices);
@@ -71,7 +71,7 @@ TEST(Splats, AreRegularHexagonsWithTheAreaOfPoints) {
   }
 }
 
-TEST(Splats, CoverAPlaneOfRandomPoints) {
+TEST(Splats, CoverNearlyAllOfAPlanarRandomCloud) {
   RandomNumbers random(3);
   constexpr Eigen::Index count = 1500;
   Shape cloud{Points::Zero(count, 3), {}, {}};

@@ -66,7 +66,7 @@ TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
   }
 }
 
-TEST(AutomaticOffset, ReportsIfTheMaximumDoesNotCloseTheGaps) {
+TEST(AutomaticOffset, ReportsIfTheMaximumOffsetDoesNotCloseTheGaps) {
   const Shape sparse = test::random_points(test::sphere(1, 4), 300, 1);
   const AutomaticOffset chosen = automatic_offset(sparse);
   EXPECT_GT(chosen.gap, 0.05);

@@ -150,7 +150,7 @@ TEST_P(ConeSdfAtEachSite, OfASlabIsTheMeanChordAwayFromItsRim) {
   EXPECT_GT(inner, 100);
 }
 
-TEST_P(ConeSdfAtEachSite, LosesNoRayAtOppositeEdges) {
+TEST_P(ConeSdfAtEachSite, IncludesRaysThatPassThroughEdgesOfTheOppositeSide) {
   // The rays from the vertices of one side pass exactly through vertices and edges of the other.
   const Shape slab = test::box({10, 10, 1}, 40);
   const Samples samples = sample_shape(slab, GetParam());
@@ -257,7 +257,7 @@ Shape tetrahedron_with_edge_through(const Eigen::RowVector3d& point, const std::
   return shape;
 }
 
-TEST(ConeSdf, LosesNoRayAtAnEdge) {
+TEST(ConeSdf, IncludesRaysThatHitAnEdge) {
   std::mt19937 random(1);
   const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const ConeRay ray = cone_rays(60, 2)[1];
@@ -279,7 +279,7 @@ TEST(ConeSdf, DoesNotChangeIfAllFacesAreDuplicated) {
   EXPECT_EQ(twice.tail(once.size()), once);
 }
 
-TEST(ConeSdf, IsMissingAndCountedForDegenerateTriangles) {
+TEST(ConeSdf, IsNanAndCountedAsMissingForDegenerateTriangles) {
   Shape sphere = test::sphere(1, 2);
   const ConeSdfResult before = cone_sdf_at(sphere, SampleSite::faces);
   const Eigen::Index count = sphere.triangles.rows();
@@ -291,7 +291,7 @@ TEST(ConeSdf, IsMissingAndCountedForDegenerateTriangles) {
   EXPECT_EQ(result.values.head(count), before.values);
 }
 
-TEST(ConeSdf, IgnoresHitsAtDuplicatedVerticesOfASoup) {
+TEST(ConeSdf, IgnoresHitsAtTheRayOriginInATriangleSoup) {
   const ConeSdfResult result = cone_sdf_at(test::soup(test::sphere(1, 3)), SampleSite::vertices);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_GT(result.values.minCoeff(), 1.8);

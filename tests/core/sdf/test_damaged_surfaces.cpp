@@ -56,7 +56,7 @@ TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedBySplitAndUnusedVertices) {
   expect_same_in(with_others);
 }
 
-TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedByDebrisInside) {
+TEST_F(OffsetSdfOfADamagedTorus, IsUnchangedBySmallSpheresInsideTheTube) {
   std::vector<Shape> parts = {torus};
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.5 * i;

@@ -35,7 +35,7 @@ constexpr std::array sites{SampleSite::faces, SampleSite::vertices};
 class DoubledTriangles : public testing::TestWithParam<test::NamedShape> {};
 INSTANTIATE_TEST_SUITE_P(Shapes, DoubledTriangles, testing::ValuesIn(test::shapes_without_duplicates()));
 
-TEST_P(DoubledTriangles, HaveTheSamplesOfTheFirstCopyWithWeightZero) {
+TEST_P(DoubledTriangles, HaveTheSamplesOfTheFirstCopyButWithWeightZero) {
   const Shape& shape = GetParam().shape;
   for (const SampleSite site : sites) {
     const Samples expected = sample_shape(shape, site);
@@ -55,7 +55,7 @@ TEST_P(DoubledTriangles, HaveTheSamplesOfTheFirstCopyWithWeightZero) {
   }
 }
 
-TEST_P(DoubledTriangles, HaveTheRandomSamplesOfTheMeshWithoutDuplicates) {
+TEST_P(DoubledTriangles, DoNotChangeRandomSurfaceSamples) {
   const Samples expected = sample_surface(GetParam().shape, 300);
   for (const test::ShapeWithDuplicates& doubled : test::variants_with_duplicates(GetParam().shape)) {
     SCOPED_TRACE(doubled.name);

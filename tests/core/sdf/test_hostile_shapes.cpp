@@ -191,9 +191,9 @@ TEST(ExtremeShapes, UseALargerOffsetIfTheGridWouldExceedTheMemoryLimit) {
   EXPECT_NEAR(values.maxCoeff(), 2, 0.06);
   EXPECT_EQ(small.outcomes.missing, 1U);
   EXPECT_EQ(small.outcomes.enlarged, small.outcomes.total - 1);
-  const OffsetSdfResult usual = offset_sdf(sphere, samples, {.offset = 0.05});
-  EXPECT_EQ(usual.offset, 0.05);
-  EXPECT_EQ(usual.outcomes.enlarged, 0U);
+  const OffsetSdfResult standard = offset_sdf(sphere, samples, {.offset = 0.05});
+  EXPECT_EQ(standard.offset, 0.05);
+  EXPECT_EQ(standard.outcomes.enlarged, 0U);
 }
 
 TEST(ExtremeShapes, TinyPartsAreNotThickerThanTheirEdges) {

@@ -24,7 +24,7 @@ Points normals_of(const Shape& shape, const Samples& samples, double offset) {
   return result.normals;
 }
 
-TEST(OffsetNormals, OfAFineSphereAreWithinADegree) {
+TEST(OffsetNormals, OfAFineSphereMeshAreRadialWithinADegree) {
   const Shape sphere = test::sphere(1, 5);  // 20480 faces
   for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {
     const Samples samples = sample_shape(sphere, site);
@@ -44,7 +44,7 @@ TEST(OffsetNormals, DoNotDependOnTheOrientationOfFaces) {
   EXPECT_LT(errors_on_sphere(vertices.points, normals_of(mixed, vertices, 0.03)).maxCoeff(), 4);
 }
 
-TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
+TEST(OffsetNormals, OfADenseSphereCloudAreRadialWithinADegreeOnAverage) {
   // The icosphere's 10242 vertices, 0.011 of the diagonal apart.
   const Shape cloud{test::sphere(1, 5).vertices, {}};
   const Samples samples = sample_shape(cloud, SampleSite::vertices);
@@ -53,7 +53,7 @@ TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
   }
 }
 
-TEST(OffsetNormals, HalveTheErrorIfNoiseIsAsLargeAsEdges) {
+TEST(OffsetNormals, HaveHalfTheErrorOfMeshNormalsUnderStrongNoise) {
   // Edges are 0.011 of the diagonal long. At vertices, where the faces' normals average, it takes stronger noise; below
   // that the offset surface is no better (docs/notes/reproducing.md, Fig 5).
   for (const auto& [noise, site] :

@@ -90,7 +90,7 @@ TEST(OffsetSdf, OfATorusWithAClosedHoleReachesAcrossTheHole) {
   }
 }
 
-TEST(OffsetSdf, OfTwoJoinedSpheresSpansBothAlongTheirAxis) {
+TEST(OffsetSdf, OfTwoOverlappingSpheresSpansBothSpheresAlongTheirAxis) {
   Shape second = test::sphere(1, 4);
   second.vertices.col(0).array() += 1.2;
   const Shape both = test::joined({test::sphere(1, 4), second});
@@ -267,7 +267,7 @@ TEST(OffsetSdf, TendsToTheRayLengthAsTheOffsetVanishes) {
   }
 }
 
-TEST(OffsetSdf, IsIdenticalForEveryVectorWidth) {
+TEST(OffsetSdf, IsIdenticalForEverySimdVectorWidth) {
   for (const Shape& shape : {bumpy_sphere(3), test::torus(1, 0.4, 60, 40)}) {
     for (const double offset : {0.01, 0.05}) {
       const Eigen::VectorXd expected = at_faces(shape, offset).values;
@@ -329,7 +329,7 @@ TEST(OffsetSdf, OfFarPointsNextToADenseClusterIsNearZero) {
   EXPECT_LT(result.values.maxCoeff(), 2 + 2e-3 * r);
 }
 
-TEST(OffsetSdf, OfTwoPointsIsNearZeroAndOfOnePointAnError) {
+TEST(OffsetSdf, OfTwoPointsIsNearZeroAndASinglePointIsRejected) {
   const Shape two{(Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), {}, {}};
   EXPECT_LT(at_faces(two, 0.05).values.maxCoeff(), 2e-3 * 0.05);
   EXPECT_THROW(at_faces({Points::Ones(1, 3), {}, {}}, 0.05), InputError);

@@ -104,14 +104,14 @@ void expect_tolerances(const Shape& shape, double offset) {
   }
 }
 
-TEST_P(OffsetSdfAgainstReference, MatchesWithinTheDocumentedTolerances) {
+TEST_P(OffsetSdfAgainstReference, MatchesTheReferenceImplementationWithinDocumentedTolerances) {
   expect_tolerances(GetParam().shape, GetParam().offset);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, OffsetSdfAgainstReference, testing::ValuesIn(test::offset_cases()),
                          test::name_of_case);
 
-TEST(OffsetSdfOfScansAgainstReference, MatchesWithinTheDocumentedTolerances) {
+TEST(OffsetSdfOfScansAgainstReference, MatchesTheReferenceImplementationWithinDocumentedTolerances) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
   for (const char* const name : {"T0.off", "T200.off", "T380.off", "T540.off"}) {

@@ -51,7 +51,7 @@ TEST(DistinctTriangles, AreAllTrianglesOfAMeshWithoutDuplicates) {
   }
 }
 
-TEST(DistinctTriangles, DropPolygonsOnlyIfDuplicatesAreRemoved) {
+TEST(DistinctTriangles, KeepTheAssignmentToPolygonsOnlyWithoutDuplicates) {
   Shape shape{seven_vertices(), Triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
   shape.polygons = {.of_triangle = {0, 0, 1}, .count = 2};
   EXPECT_TRUE(without_duplicates(shape).polygons.of_triangle.empty()) << "they are those of a list of other triangles";

@@ -51,7 +51,7 @@ TEST(PointNeighbours, IncludeCoincidentPoints) {
   }
 }
 
-TEST(PointNeighbours, AreNoMoreThanAllOtherPoints) {
+TEST(PointNeighbours, AreAllOtherPointsIfMoreAreRequested) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}};
   const PointNeighbours found = nearest_neighbours(points, 8);
   EXPECT_EQ(found.indices.cols(), 2);
@@ -74,7 +74,7 @@ TEST(NearestPoints, MatchExhaustiveSearch) {
 
 Points random_points_of_sphere() { return test::random_points(test::sphere(1, 5), 5000, 1).vertices; }
 
-TEST(PointNormals, MatchAPlaneAtAnyScale) {
+TEST(PointNormals, ArePerpendicularToAPlaneAtAnyScale) {
   const Eigen::Matrix3d turn = test::rotation(4);
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Points points = Points::Random(500, 3);
@@ -140,7 +140,7 @@ TEST(PointNormals, OfTouchingBallsAreRadial) {
   EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), radial), by_variance);
 }
 
-TEST(PointNormals, MatchTheSidesOfABoxUpToItsEdges) {
+TEST(PointNormals, HaveFewerErrorsAtBoxEdgesThanNormalsOfLeastVariance) {
   const Shape box = test::box({1, 1, 1}, 1);
   const Points points = test::random_points(box, 3000, 1).vertices;
   Points sides = Points::Zero(points.rows(), 3);
@@ -265,7 +265,7 @@ TEST(PointWeights, LimitTheWeightOfAnOutlier) {
   }
 }
 
-TEST(PointWeights, ReachTheLimitAtFewPointsOfASurface) {
+TEST(PointWeights, MaximumOnARandomSurfaceCloudIsTwoToFourTimesTheMean) {
   const Points points = scattered(1, 5000);
   const Eigen::VectorXd weights = point_weights(points);
   // Without the cap, a weight is distributed much as Gamma(8)/8 in units of the mean: above 3.5 once in 100,000 points.
@@ -273,7 +273,7 @@ TEST(PointWeights, ReachTheLimitAtFewPointsOfASurface) {
   EXPECT_GT(weights.maxCoeff() / weights.mean(), 2);
 }
 
-TEST(PointWeights, OfFewOrCoincidentPointsAreDefined) {
+TEST(PointWeights, AreZeroForCoincidentPointsAndDiscAreasForTwoPoints) {
   EXPECT_EQ(point_weights(Points(0, 3)).size(), 0);
   EXPECT_EQ(point_weights(Points::Ones(1, 3)), Eigen::VectorXd::Zero(1));
   EXPECT_EQ(point_weights(Points::Ones(50, 3)), Eigen::VectorXd::Zero(50));
@@ -281,7 +281,7 @@ TEST(PointWeights, OfFewOrCoincidentPointsAreDefined) {
   EXPECT_TRUE(point_weights(two).isApprox(Eigen::Vector2d::Constant(4 * std::numbers::pi), 1e-14));
 }
 
-TEST(PointWeights, MatchTheDefinitionOnALineAndInAPlane) {
+TEST(PointWeights, MatchTheFormulaOnALineAndArePositiveInAPlane) {
   Points line = Points::Zero(100, 3);
   line.col(1).setLinSpaced(100, 0, 99);
   // Away from the ends the neighbours 5 to 12 are 3, 3, 4, 4, 5, 5, 6 and 6 away.

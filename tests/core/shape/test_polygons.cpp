@@ -41,7 +41,7 @@ TEST(Polygons, DivideTheirWeightEvenlyAmongTriangles) {
   EXPECT_THAT(polygon_shares(mesh_of_three_polygons()), ElementsAre(1.0 / 3, 1.0 / 3, 1.0 / 3, 1));
 }
 
-TEST(Polygons, AreReportedOnlyForMeshesWithPolygons) {
+TEST(Polygons, NoteIsGivenForPolygonMeshesAndNotForTriangleMeshes) {
   Shape shape = mesh_of_three_polygons();
   EXPECT_TRUE(polygon_note(shape));
   shape.polygons = {};

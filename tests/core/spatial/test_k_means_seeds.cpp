@@ -26,7 +26,7 @@ TEST(KMeansSeeds, AreDistinctPositions) {
   }
 }
 
-TEST(KMeansSeeds, AreFewerIfThereAreFewerDistinctPoints) {
+TEST(KMeansSeeds, AreAtMostAsManyAsDistinctPoints) {
   EXPECT_EQ(seeds_among(Eigen::VectorXd{{0, 0, 5, 5}}, 4, 1).size(), 2U);
   EXPECT_EQ(seeds_among(Eigen::VectorXd{{7}}, 3, 1), std::vector<Eigen::Index>{0});
 }

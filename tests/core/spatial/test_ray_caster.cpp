@@ -89,7 +89,7 @@ RC_GTEST_PROP(RayCaster, MatchesExhaustiveSearchOverTriangles, (unsigned seed)) 
   RC_CLASSIFY(compared > 50);
 }
 
-TEST(RayCaster, LosesNoRayThroughAnEdgeOrVertex) {
+TEST(RayCaster, FindsTheHitOfEveryRayThroughAnEdgeOrVertex) {
   const Shape sphere = test::transformed(test::sphere(1, 3), 3, test::rotation(5), {7, -2, 1});
   const Eigen::Vector3d centre(7, -2, 1);
   const RayCaster caster(sphere);
@@ -218,7 +218,7 @@ TEST(RayCaster, ReturnsTheFirstOfTrianglesAtEqualDistance) {
   }
 }
 
-TEST(RayCaster, SkipsTheListedTriangles) {
+TEST(RayCaster, IgnoresHitsOnTrianglesListedAsSkipped) {
   const Shape box = test::box({1, 1, 1}, 1);
   const RayCaster caster(box);
   std::vector<std::int32_t> skipped;

@@ -67,7 +67,7 @@ RC_GTEST_PROP(TriangleBVH, FindsNoTriangleBeyondTheDistanceLimit, ()) {
   RC_ASSERT(tree.closest(x, expected + tolerance_at(expected), hint).has_value());
 }
 
-RC_GTEST_PROP(TriangleBVH, ContainsTheTrianglesWithTheirIndices, ()) {
+RC_GTEST_PROP(TriangleBVH, ReturnsEachTriangleByItsIndexInTheMesh, ()) {
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {

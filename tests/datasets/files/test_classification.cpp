@@ -27,12 +27,12 @@ TEST(Classification, CountsAndListsTheModelsOfItsClasses) {
   EXPECT_THAT(models_in_natural_order(animals), ElementsAre("1", "2", "10"));
 }
 
-TEST(ClassLabels, MatchIdsWithPrefixOrExtension) {
+TEST(ClassLabels, MatchModelIdsDespiteNamePrefixOrFileExtension) {
   const std::vector<std::string> ids = {"T1.off", "T2", "10"};
   EXPECT_THAT(class_labels(animals, ids, "x.cla"), ElementsAre(2, 1, 1));
 }
 
-TEST(ClassLabels, ReportAnUnknownModelById) {
+TEST(ClassLabels, NameUnknownMissingAndRepeatedModels) {
   const auto error_for = [](const std::vector<std::string>& ids) {
     return test::input_error_of([&] { class_labels(animals, ids, "x.cla"); });
   };
@@ -74,7 +74,7 @@ TEST(ParseClassification, IgnoresLeadingZerosOfCounts) {
   EXPECT_EQ(parse_classification("PSB 1\n01 02\na 0 002\nx\ny\n", "x").classes.front().models.size(), 2U);
 }
 
-TEST(ParseClassification, ErrorsNameTheLine) {
+TEST(ParseClassification, ErrorMessagesGiveTheLineNumber) {
   test::expect_refused(
       {{"", "x.cla:1: the file is empty"},
        {" \n\n ", "x.cla:3: the file is empty"},
@@ -101,7 +101,7 @@ TEST(ParseClassification, ErrorsNameTheLine) {
       [](const std::string& text) { parse_classification(text, "x.cla"); });
 }
 
-TEST(ParseClassification, ReadsOrRejectsEveryPrefixOfAFile) {
+TEST(ParseClassification, RejectsEveryFileTruncatedByMoreThanTheFinalNewline) {
   // Complete without the final newline; truncated if any shorter.
   for (std::size_t length = 0; length < valid.size() - 1; ++length) {
     EXPECT_THAT(classification_error_of(valid.substr(0, length)), StartsWith("x.cla:")) << length;
@@ -109,7 +109,7 @@ TEST(ParseClassification, ReadsOrRejectsEveryPrefixOfAFile) {
   EXPECT_EQ(classification_error_of(valid.substr(0, valid.size() - 1)), "no error");
 }
 
-RC_GTEST_PROP(ParseClassification, ReadsOrRejectsDamagedText, ()) {
+RC_GTEST_PROP(ParseClassification, ReadsDamagedTextOrRejectsItWithAOneLineError, ()) {
   std::string text(valid);
   const auto changes = *rc::gen::inRange(1, 6);
   for (int i = 0; i < changes; ++i) {

@@ -69,7 +69,7 @@ std::string npy_of(const DistanceMatrix& matrix) {
 
 using CompressedFiles = test::FolderTest;
 
-TEST_F(CompressedFiles, AreReadLikeTheirContents) {
+TEST_F(CompressedFiles, AreReadLikeUncompressedFiles) {
   EXPECT_EQ(read_plain_bytes(folder_.file("a.txt.gz", gzipped("some text"))), "some text");
   EXPECT_EQ(read_plain_bytes(folder_.file("a.txt", "some text")), "some text");
   EXPECT_EQ(format_extension("a.CSV.gz"), ".csv");
@@ -86,7 +86,7 @@ TEST_F(CompressedFiles, AreRejectedIfDamaged) {
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
 }
 
-TEST_F(CompressedFiles, AreCheckedByChecksumAndSize) {
+TEST_F(CompressedFiles, AreRejectedIfChecksumOrSizeIsWrong) {
   const auto error = [&](const std::string& bytes) {
     return test::input_error_of([&] { read_plain_bytes(folder_.file("a.txt.gz", bytes)); });
   };
@@ -126,7 +126,7 @@ TEST_F(CompressedFiles, AreRejectedIfTheirUnpackedSizeIsExcessive) {
               AllOf(HasSubstr("a.npz"), HasSubstr("256 MiB")));
 }
 
-TEST_F(CompressedFiles, CanBeReadAsMatricesAndRuns) {
+TEST_F(CompressedFiles, AreReadAsDistanceMatricesAndTrecRuns) {
   EXPECT_EQ(read_matrix(folder_.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n")), TableShape::square).numbers,
             small_matrix());
   EXPECT_EQ(read_matrix(folder_.file("m.npy.gz", gzipped(npy_of(small_matrix()))), TableShape::square).numbers,

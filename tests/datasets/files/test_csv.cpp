@@ -55,7 +55,7 @@ TEST(CsvParser, RejectsInvalidQuotingWithItsLocation) {
   EXPECT_THAT(csv_error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
 }
 
-TEST(CsvParser, NumbersRowsByLineAndSkipsEmptyLines) {
+TEST(CsvParser, GivesRowsTheirLineNumbersAndSkipsEmptyLines) {
   const auto rows = parse_csv("\xEF\xBB\xBFid,x\r\n\r\na,1\n  \nb,2", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
@@ -66,7 +66,7 @@ TEST(CsvParser, NumbersRowsByLineAndSkipsEmptyLines) {
   EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
-TEST(CsvParser, RecognisesRowsOfEmptyCellsAsBlank) {
+TEST(CsvParser, SkipsRowsOfUnquotedEmptyCells) {
   const auto rows = parse_word_table("id;class\n;\na;1\n ; \n\"\";\n;\n", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
@@ -122,12 +122,12 @@ TEST(CsvWriter, EscapesFormulasWithAnApostrophe) {
   }
 }
 
-TEST(CsvWriter, WritesEmptyCellsThatAreReadBack) {
+TEST(CsvWriter, WrittenEmptyCellsAreReadBackUnchanged) {
   EXPECT_EQ(csv_line({"", ""}), "\"\",\n");
   EXPECT_EQ(cells_of(csv_line({""})), std::vector<std::string>{""});
 }
 
-RC_GTEST_PROP(CsvWriter, WritesCellsThatAreReadBack, ()) {
+RC_GTEST_PROP(CsvWriter, WrittenCellsAreReadBackUnchanged, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
   const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));

@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(JsonText, EscapesNamesThatAreNotUtf8) {
+TEST(JsonText, EscapesBytesThatAreNotUtf8) {
   const nlohmann::ordered_json json{{"V\xf6gel", {"a\xff", 1.5, nullptr}}, {"b", {{"\xe4", true}}}};
   const nlohmann::ordered_json expected{{"V\\xF6gel", {"a\\xFF", 1.5, nullptr}}, {"b", {{"\\xE4", true}}}};
   EXPECT_EQ(json_text(json), expected.dump());
@@ -16,7 +16,7 @@ TEST(JsonText, EscapesNamesThatAreNotUtf8) {
   EXPECT_EQ(escaped_json(json), expected);
 }
 
-TEST(JsonText, KeepsValidText) {
+TEST(JsonText, LeavesValidUtf8Unchanged) {
   const nlohmann::json json{{"St\u00e4hl", {"\u4e2d", "a\\b\n"}}, {"empty", nlohmann::json::array()}};
   EXPECT_EQ(json_text(json), json.dump());
   EXPECT_EQ(escaped_json(json), json);

@@ -27,7 +27,7 @@ using testing::IsEmpty;
 
 DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
-TEST(CsvTable, MayHaveNumericIdsAndAnEmptyCorner) {
+TEST(CsvTable, MayHaveNumericIdsAndAnEmptyFirstHeaderCell) {
   const test::TemporaryFolder folder;
   for (const char* corner : {"", "id"}) {
     test::write_text(folder.path() / "x.csv", std::string(corner) + ",1,2,3\n7,0,1,4\n5,2,0,6\n");
@@ -56,7 +56,7 @@ TEST_F(PsbMatrixTest, ReadsLittleEndianFloat32InRowMajorOrder) {
   EXPECT_EQ(matrix, expected);
 }
 
-TEST_F(PsbMatrixTest, RejectsNonSquareSizesAndSuggestsFloat64) {
+TEST_F(PsbMatrixTest, RejectsFileSizesOfNonSquareMatricesAndSuggestsFloat64) {
   const auto error_for = [&](std::size_t bytes) {
     return test::input_error_of(
         [&] { read_matrix(folder_.file("m.matrix", std::string(bytes, '\0')), TableShape::square); });
@@ -70,7 +70,7 @@ TEST_F(PsbMatrixTest, RejectsNonSquareSizesAndSuggestsFloat64) {
               HasSubstr("none.matrix"));
 }
 
-TEST_F(PsbMatrixTest, ReadsExactlyTheSquareSizes) {
+TEST_F(PsbMatrixTest, AcceptsExactlyTheFileSizesOfSquareMatrices) {
   for (std::size_t bytes = 1; bytes <= 400; ++bytes) {
     const auto path = folder_.file("m.matrix", std::string(bytes, '\0'));
     std::size_t size = 1;
@@ -168,7 +168,7 @@ TEST_F(ReadDistanceMatrix, ReadsCondensedDistancesAsTheUpperTriangle) {
   EXPECT_THAT(test::input_error_of([&] { read_matrix(at("five.npy"), TableShape::square); }), HasSubstr("square"));
 }
 
-TEST_F(ReadDistanceMatrix, RecognisesVectorsOfTriangularLengthAsCondensed) {
+TEST_F(ReadDistanceMatrix, RecognisesVectorsOfTriangularLengthAsCondensedDistances) {
   const auto is_condensed = [](const std::vector<std::uint64_t>& shape) { return is_condensed_shape(shape); };
   for (const std::vector<std::uint64_t>& shape : {std::vector<std::uint64_t>{1}, {6}, {1, 6}, {6, 1}, {4'498'500}}) {
     EXPECT_TRUE(is_condensed(shape)) << testing::PrintToString(shape);
@@ -194,7 +194,7 @@ TEST_F(ReadDistanceMatrix, RejectsIntegersThatWouldBeRounded) {
             9007199254740992.0);
 }
 
-TEST_F(ReadDistanceMatrix, RejectsAVariableNameForOtherFilesThanArchives) {
+TEST_F(ReadDistanceMatrix, RejectsAVariableNameForAPlainTextFile) {
   EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
               HasSubstr("`variable`"));
 }

@@ -19,7 +19,7 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
   return names;
 }
 
-TEST(DistinguishingEnds, OfPathsAreAsShortAsPossible) {
+TEST(DistinguishingEnds, AreTheShortestUniqueEndsOfPaths) {
   EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/y.off"}), ElementsAre("x", "y"));
   EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/x.obj"}), ElementsAre("x.off", "x.obj"));
   EXPECT_THAT(distinguishing_suffixes({"a/x.off", "b/x.off"}), ElementsAre("a/x", "b/x"));
@@ -36,11 +36,11 @@ TEST(NaturalOrder, ComparesNumbersLongerThanAnyInteger) {
   EXPECT_TRUE(natural_less("x99999999999999999999", "x100000000000000000000"));
 }
 
-TEST(NaturalOrder, SortsPrefixesFirst) {
+TEST(NaturalOrder, SortsAPrefixBeforeLongerNames) {
   EXPECT_THAT(sorted({"T1.off", "T1", "T", ""}), ElementsAre("", "T", "T1", "T1.off"));
 }
 
-TEST(NaturalOrder, BreaksTiesByLeadingZeros) {
+TEST(NaturalOrder, SortsEqualNumbersWithMoreLeadingZerosFirst) {
   EXPECT_THAT(sorted({"a1", "a01b", "a01", "a2", "a001"}), ElementsAre("a001", "a01", "a1", "a01b", "a2"));
   EXPECT_THAT(sorted({"0", "00", "1"}), ElementsAre("0", "00", "1"));
 }
@@ -58,12 +58,12 @@ RC_GTEST_PROP(NaturalOrder, IsAStrictTotalOrder, ()) {
   if (natural_less(a, b) && natural_less(b, c)) RC_ASSERT(natural_less(a, c));
 }
 
-RC_GTEST_PROP(NaturalOrder, MatchesTheOrderOfNumbers, (unsigned a, unsigned b)) {
+RC_GTEST_PROP(NaturalOrder, SortsNumberedNamesByTheirNumber, (unsigned a, unsigned b)) {
   const auto name_of = [](unsigned number) { return std::string("T").append(std::to_string(number)).append(".off"); };
   RC_ASSERT(natural_less(name_of(a), name_of(b)) == (a < b));
 }
 
-TEST(ModelIds, AreEqualForNumberPrefixedNameAndFileName) {
+TEST(ModelIds, OmitLetterPrefixAndExtensionOfNumberedFileNames) {
   EXPECT_EQ(canonical_model_id("12"), "12");
   EXPECT_EQ(canonical_model_id("T12"), "12");
   EXPECT_EQ(canonical_model_id("T12.off"), "12");

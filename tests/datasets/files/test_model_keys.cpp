@@ -7,7 +7,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(ModelKeys, AreCanonicalIds) {
+TEST(ModelKeys, AreModelNumbersOrNamesWithoutExtension) {
   const ModelKeys keys({"T12.off", "m0.off", "12", "m0"});
   for (const char* id : {"12", "T12", "T12.off", "12.obj"}) EXPECT_EQ(keys.of(id), "12") << id;
   EXPECT_EQ(keys.of("m0.obj"), "m0");

@@ -54,7 +54,7 @@ TEST(NpyHeader, RejectsSizesThatOverflow) {
               StartsWith("x.npy: 0 bytes of data"));
 }
 
-TEST(NpyHeader, ErrorsNameTheByte) {
+TEST(NpyHeader, ErrorMessagesGiveTheBytePosition) {
   EXPECT_THAT(header_error("\x89PNG"), StartsWith("x.npy: this is no .npy file"));
   EXPECT_THAT(header_error("\x93NUMP"), StartsWith("x.npy: this is no .npy file"));
   EXPECT_THAT(header_error("\x93NUMPY\x04\x00\x00\x00\x00\x00"s), StartsWith("x.npy: version 4.0"));
@@ -75,7 +75,7 @@ TEST(NpyHeader, ErrorsNameTheByte) {
   }
 }
 
-TEST(NpyHeader, AlignsTheDataAndIsReadBack) {
+TEST(NpyHeader, AlignsTheDataTo64BytesAndIsReadBackUnchanged) {
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{600}, std::size_t{12345678901234}}) {
     const std::string bytes = npy_header_of_matrix(size, size + 1);
     EXPECT_EQ(bytes.size() % 64, 0U);
@@ -202,7 +202,7 @@ TEST_F(NpyTest, RejectsEveryTruncatedFile) {
   }
 }
 
-RC_GTEST_PROP(NpyFile, IsReadOrRejectedIfDamaged, ()) {
+RC_GTEST_PROP(NpyFile, IsReadOrNamedInAnErrorIfDamaged, ()) {
   const TemporaryFolder folder;
   std::string bytes = *rc::gen::element(float64_version_1, float32_fortran_version_2);
   const auto changes = *rc::gen::inRange(1, 5);

@@ -68,7 +68,7 @@ TEST_F(OpenMatrixTest, TreatsNanOnTheDiagonalAsMissingInEveryBlock) {
             (DistanceMatrix{{1, 0}, {1, 1}}));
 }
 
-TEST_F(OpenMatrixTest, RejectsFilesOfAnotherSizeOrTruncatedAfterOpening) {
+TEST_F(OpenMatrixTest, RejectsNonSquareFilesAndFilesTruncatedAfterOpening) {
   write_npy(at("m.npy"), DistanceMatrix::Ones(40, 40));
   const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::square);
   std::filesystem::resize_file(at("m.npy"), 5000);
@@ -119,7 +119,7 @@ TEST_F(OpenMatrixTest, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
   }
 }
 
-TEST_F(OpenMatrixTest, HasTheIdsOfATable) {
+TEST_F(OpenMatrixTest, HasTheRowAndColumnIdsOfACsvTable) {
   const OpenMatrix table = open_matrix(folder_.file("t.csv", "id,x,y,z\na,0,1,2\nb,3,4,5\n"), TableShape::any);
   EXPECT_THAT(table.row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(table.column_ids, ElementsAre("x", "y", "z"));
@@ -128,7 +128,7 @@ TEST_F(OpenMatrixTest, HasTheIdsOfATable) {
   EXPECT_THAT(square.column_ids, ElementsAre("a", "b"));
 }
 
-TEST_F(OpenMatrixTest, KeepsTheNumbersOfATableThatNoLongerExists) {
+TEST_F(OpenMatrixTest, KeepsTheNumbersAfterTheSourceTableIsDestroyed) {
   OpenMatrix opened;
   {
     LabelledTable table{.numbers = numbered_matrix(4, 6), .row_ids = {"a", "b", "c", "d"}, .column_ids = {}};

@@ -59,7 +59,7 @@ TEST(RankedAnswers, RejectEmptyFoldersSubfoldersAndRepeatedModels) {
   EXPECT_THAT(error(), HasSubstr("\"test_normal\""));
 }
 
-TEST(RelevanceJudgements, ContainRelevantModels) {
+TEST(RelevanceJudgements, ListModelsOfPositiveGradeAsRelevant) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq2 0 a -1\nq1 0 c 2\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);
   EXPECT_THAT(judgements.queries[0].relevant, ElementsAre("a", "c"));
@@ -78,7 +78,7 @@ TEST(RankedAnswers, AcceptCommentsInTrecFiles) {
   EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "# made by mine\nq1 Q0 a 1 2 mine\n")));
 }
 
-TEST(RankedAnswers, ErrorsNameTheLine) {
+TEST(RankedAnswers, ErrorMessagesGiveTheLineNumber) {
   test::expect_refused({{"q Q0 a 1 0.5\n", "r:1: found 5"},
                         {"q Q0 a 1 nan t\n", "r:1: the score \"nan\""},
                         {"q Q0 a 1 1 t\nq Q0 a 2 0 t\n", "r:2: repeated model \"a\""},
@@ -98,7 +98,7 @@ TEST(RankedAnswers, HaveTheRunNameOfATrecFile) {
   EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 yours\n", "r").name, "");
 }
 
-TEST(RelevanceJudgements, ContainGradesAndNonRelevantModels) {
+TEST(RelevanceJudgements, ContainPositiveGradesAndListGradeZeroAsNonRelevant) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq1 0 c 2\nq1 0 d -1\n", "j");
   EXPECT_THAT(judgements.queries[0].grades, ElementsAre(1, 2));
   EXPECT_THAT(judgements.queries[0].irrelevant, ElementsAre("b")) << "d was not judged";

@@ -21,7 +21,7 @@ TEST(Sha256, MatchesPublishedDigests) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST(Sha256, OfAFileIsThatOfItsContents) {
+TEST(Sha256, OfAFileEqualsTheDigestOfItsContents) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_file(folder.file("x", "abc")), sha256("abc"));
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
@@ -45,7 +45,7 @@ ShapeFormat format_of_parts() {
           .neighbours = neighbours};
 }
 
-TEST(Sha256, OfAShapeIncludesAllItsFiles) {
+TEST(Sha256, OfAShapeChangesWithAnyOfItsFiles) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_shape(read_shape_source(folder.file("x.off", "abc"))), sha256("abc"));
 

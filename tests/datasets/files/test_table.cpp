@@ -69,7 +69,7 @@ TextTable two_groups() {
   return groups;
 }
 
-TEST(TextTable, PrintsTheBestOfAGroupInBold) {
+TEST(TextTable, PrintsTheBestValueOfEachRowGroupInBold) {
   EXPECT_THAT(to_latex(two_groups()),
               AllOf(HasSubstr("\\textbf{10.0 [9.0, 11.0]}\\textsuperscript{ab}"), HasSubstr("\\textbf{10.0} \\\\"),
                     Not(HasSubstr("\\textbf{9.5}")), Not(HasSubstr("\\textbf{3.0}"))));
@@ -86,7 +86,7 @@ TEST(TextTable, AlignsBoldCellsInTerminals) {
             "d       y                        3.0\n");
 }
 
-TEST(TextTable, PrintsGroupLettersInPlainTextButNotInCsv) {
+TEST(TextTable, PrintsSignificanceLettersInPlainTextButNotInCsv) {
   EXPECT_THAT(to_plain_text(two_groups()), HasSubstr("10.0 [9.0, 11.0] ab\n"));
   EXPECT_THAT(to_csv(two_groups()), HasSubstr("b,x,\"10.0 [9.0, 11.0]\"\n"));
 }

@@ -59,7 +59,7 @@ TEST(CsvMatrix, AcceptsASeparatorAtTheEndOfRows) {
   EXPECT_THAT(csv_error("0,1,\n1\n"), HasSubstr("m.csv:2"));
 }
 
-TEST(CsvMatrix, AcceptsASepLineAtTheBeginning) {
+TEST(CsvMatrix, AcceptsAFirstLineThatDeclaresTheSeparator) {
   EXPECT_EQ(read_csv("sep=;\r\n0;1.5\r\n-2.25;inf\r\n").numbers, text_example());
   EXPECT_THAT(read_csv("sep=,\nid,a,b\na,0,1.5\nb,-2.25,inf\n").row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(csv_error("sep=;\n0;1\n1;x\n"), HasSubstr("m.csv:3"));
@@ -93,7 +93,7 @@ TEST(CsvMatrix, AcceptsCarriageReturnsAtLineEnds) {
   EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
 }
 
-TEST(CsvMatrix, ErrorsNameTheLine) {
+TEST(CsvMatrix, ErrorMessagesGiveTheLineNumber) {
   expect_refused({{"id,a,b\na,0,x\nb,1,0\n", "m.csv:2: \"x\" is not a number (number 2"},
                   {"id,a,b\na,0,\nb,1,0\n", "m.csv:2: \"\" is"},
                   {"id,a,b\nb,0,1\na,1,0\n", "m.csv:2: "},
@@ -116,7 +116,7 @@ TEST(CsvMatrix, ErrorsNameTheLine) {
                  read_csv);
 }
 
-TEST(CsvMatrix, IsReadOrRejectedForEveryPrefix) {
+TEST(CsvMatrix, IsRejectedIfTruncatedBeforeTheLastCell) {
   const std::string valid = "id,a,\"b,c\"\na,0,1.5\n\"b,c\",1.5,0\n";
   for (std::size_t length = 0; length + 2 < valid.size(); ++length) {
     EXPECT_THAT(csv_error(valid.substr(0, length)), HasSubstr("m.csv")) << length;
@@ -162,7 +162,7 @@ TEST(TextMatrix, ReadsOneRowPerLine) {
 
 TEST(TextMatrix, AcceptsASingleNumber) { EXPECT_EQ(read_text("0"), DistanceMatrix::Zero(1, 1)); }
 
-TEST(TextMatrix, ErrorsNameTheLine) {
+TEST(TextMatrix, ErrorMessagesGiveTheLineNumber) {
   expect_refused({{"0 1\n1 x\n", "m.txt:2: \"x\" is not a number (number 2"},
                   {"0 1\n\n1\n", "m.txt:3: expected 2"},
                   {"0 1\n1 0 2\n", "m.txt:2: expected 2"},
@@ -176,7 +176,7 @@ TEST(TextMatrix, ErrorsNameTheLine) {
                  read_text);
 }
 
-TEST(TextMatrix, IsReadOrRejectedForEveryPrefix) {
+TEST(TextMatrix, IsRejectedIfTruncatedUnlessStillSquare) {
   // Of two models: a row of three numbers would be condensed distances.
   const std::string valid = "# two models\n0 1.25e-1\n1.25e-1 0\n";
   const std::size_t first_number = valid.find('0');
@@ -209,7 +209,7 @@ TEST(CsvTable, MayHaveDifferentIdsOfRowsAndColumns) {
   expect_table("shape\tx\ty\tz\na\t0\t1\t4\nb\t2\t0\t6\n", {"a", "b"}, {"x", "y", "z"});
 }
 
-TEST(CsvTable, ErrorsNameTheLine) {
+TEST(CsvTable, ErrorMessagesGiveTheLineNumber) {
   expect_refused({{"0,1\n2\n", "t.csv:2:"},
                   {"0,1\n2,x\n", "t.csv:2:"},
                   {"id,x,y\na,0\nb,1\n", "t.csv:1:"},

@@ -65,7 +65,7 @@ double largest_distance_change(const Shape& a, const Shape& b) {
 
 class EveryArticulatedClass : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryArticulatedClass, HasValidBendingMeshesWithAllParts) {
+TEST_P(EveryArticulatedClass, HasValidMeshesInRandomPosesWithAllParts) {
   const ArticulatedBody body = make_articulated_body(class_skeleton(GetParam()), faces);
   EXPECT_NEAR(static_cast<double>(body.triangles.rows()), faces, 0.2 * faces);
 
@@ -233,7 +233,7 @@ TEST_F(GenerateDataset, StatesTheUpAxisInEachFile) {
 
 // A failure means that generated models have changed: increase the version, so that cached comparisons of them are not
 // used, and update the values here. Tolerances allow for other compilers, whose meshes differ.
-TEST(GeneratorVersion, MatchesTheRecordedModels) {
+TEST(GeneratorVersion, GeneratesModelsOfTheRecordedAreaAndDiagonal) {
   EXPECT_EQ(generator_version, 1);
   struct Recorded {
     const char* name;

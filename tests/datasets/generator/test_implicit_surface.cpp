@@ -64,7 +64,7 @@ TEST(SmoothMinimum, OfEqualValuesIsLowerByAQuarterOfTheWidth) {
   EXPECT_EQ(smooth_minimum(3, 1, 0.4), 1);
 }
 
-TEST(ImplicitSurface, BlendingEnlargesTheUnionOnlyNearJoints) {
+TEST(ImplicitSurface, BlendingEnlargesTheUnionOfLimbsOnlyNearJoints) {
   const Skeleton s = class_skeleton(0);
   const ImplicitSurface surface(s);
   RandomNumbers random(3);

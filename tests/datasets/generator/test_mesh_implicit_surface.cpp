@@ -28,7 +28,7 @@ void expect_regular(const Shape& mesh, int faces) {
   }
 }
 
-TEST(MeshImplicitSurface, OfACapsuleHasItsAreaAndVolume) {
+TEST(MeshImplicitSurface, CapsuleMeshHasTheAreaAndVolumeOfTheCapsule) {
   const ImplicitSurface surface(straight_rod());
   const Shape mesh = mesh_implicit_surface(surface, 8000);
   EXPECT_EQ(topology_fault(mesh), "");
@@ -42,11 +42,11 @@ TEST(MeshImplicitSurface, OfACapsuleHasItsAreaAndVolume) {
   EXPECT_NEAR(test::signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
 }
 
-TEST(MeshImplicitSurface, IsRegularForFewTriangles) {
+TEST(MeshImplicitSurface, MeshOfFewTrianglesHasNoAngleBelow30Degrees) {
   expect_regular(mesh_implicit_surface(ImplicitSurface(straight_rod()), 1000), 1000);
 }
 
-TEST(MeshImplicitSurface, KeepsTheTopologyOfRingsAndThinParts) {
+TEST(MeshImplicitSurface, MeshOfAThinRingHasTheTopologyOfATorus) {
   Skeleton s{"ring", {}};
   Limb ring{.kind = "ring", .nodes = {}};
   for (int i = 0; i <= 12; ++i) {

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(MeshSolid, OfACylinderOfTwoPartsIsClosed) {
+TEST(MeshSolid, MeshOfACylinderOfTwoPartsIsClosedAndLabelled) {
   const Solid cylinder = rounded_cylinder({0, 0, -0.5}, {0, 0, 0.5}, 0.5, 0.05);
   SolidObject object;
   object.parts = {{0, intersection(cylinder, slab(-1, 0.05))}, {4, intersection(cylinder, slab(0, 1))}};
@@ -53,7 +53,7 @@ SolidObject of_one_part(const Solid& solid, double thinnest) {
   return object;
 }
 
-TEST(MeshSolid, OfABallHasItsAreaAndVolume) {
+TEST(MeshSolid, BallMeshHasTheAreaAndVolumeOfTheBall) {
   const double radius = 0.8;
   const Eigen::Vector3d centre(0.3, -0.2, 0.1);
   const Solid ball = rounded_box(centre, Eigen::Vector3d::Constant(radius), radius);

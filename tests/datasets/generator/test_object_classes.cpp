@@ -42,7 +42,7 @@ TEST_P(EveryObjectClass, HasValidMeshesOfSeveralParts) {
 INSTANTIATE_TEST_SUITE_P(Generator, EveryObjectClass, testing::Range(std::size_t{0}, object_classes().size()),
                          [](const auto& parameter) { return object_classes()[parameter.param].name; });
 
-TEST(ObjectClasses, OfMugsAreHollowWithOnePartForBothSidesOfTheWall) {
+TEST(ObjectClasses, MugHasOnePartForBothSidesOfItsWall) {
   RandomNumbers random(7);
   const SolidObject mug = object_classes()[0].draw(random);
   std::optional<SolidMesh> made = mesh_solid(mug, 3000);

@@ -39,7 +39,7 @@ TEST_F(BoneWeights, OnACylinderDecayExponentiallyFromTheJoint) {
   }
 }
 
-TEST_F(BoneWeights, GiveBonesOfOneLimbOneLabel) {
+TEST_F(BoneWeights, GiveFacesOfAllBonesOfALimbTheSameLabel) {
   EXPECT_EQ(limb_labels(mesh_, weights_, tree_), Eigen::VectorXi::Zero(mesh_.triangles.rows()));
 }
 
@@ -104,7 +104,7 @@ TEST(Skinning, WithOneBoneIsItsRigidMotion) {
   EXPECT_LT((moved - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Skinning, OfTwoEqualWeightsIsTheMiddleRotation) {
+TEST(Skinning, WithTwoEqualWeightsRotatesByHalfTheAngle) {
   // Linear blending would pull the point towards the axis, by the cosine of half the angle between the two.
   RigidMotion bent;
   const Eigen::Vector3d joint(1, 2, 0);

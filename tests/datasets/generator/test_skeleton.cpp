@@ -17,7 +17,7 @@ Limb arm() {
           .flat_axis = {0.1, 0.2, 0.9}};
 }
 
-TEST(Skeleton, HingeRotatesOneDirectionTowardsTheOther) {
+TEST(Skeleton, HingeAtItsUpperLimitTurnsTheFirstDirectionIntoTheSecond) {
   const Hinge h = hinge_towards({1, 0, 0}, {0, 0, 1}, -30, 90);
   EXPECT_NEAR(h.lower, -std::numbers::pi / 6, 1e-15);
   const Eigen::Vector3d turned_direction = Eigen::AngleAxisd(h.upper, h.axis) * Eigen::Vector3d(1, 0, 0);
@@ -41,7 +41,7 @@ TEST(Skeleton, LimbPairIsMirroredAtRestAndInMotion) {
   EXPECT_EQ(s.limbs[1].flat_axis, Eigen::Vector3d(0.1, -0.2, 0.9));
 }
 
-TEST(Skeleton, ChildrenOfALimbPairAttachToTheirSide) {
+TEST(Skeleton, ChildrenOfALimbPairAttachToTheLimbOnTheirSide) {
   Skeleton s;
   const int upper = add_limb_pair(s, arm());
   Limb claw = arm();

@@ -30,7 +30,7 @@ void expect_distance(const Solid& solid, Distance distance) {
   }
 }
 
-TEST(Solid, RoundedBoxIsTheDistanceToItsCoreMinusTheRadius) {
+TEST(Solid, RoundedBoxDistanceIsTheCoreDistanceMinusTheRadius) {
   const Vector3d centre(0.2, -0.1, 0.3);
   expect_distance(rounded_box(centre, {0.6, 0.5, 0.4}, 0.4), [&](const Vector3d& point) {
     // A core of height 0: every point is outside.
@@ -59,7 +59,7 @@ TEST(Solid, RevolvedHalfCircleHasTheDistancesOfABall) {
   }
 }
 
-TEST(Solid, RoundedCylinderReachesFromEndToEnd) {
+TEST(Solid, RoundedCylinderHasTheExactSignedDistance) {
   const Vector3d from(-0.5, 0.2, 0.1);
   const Vector3d to(0.7, -0.3, 0.4);
   const Vector3d axis = (to - from).normalized();
@@ -71,7 +71,7 @@ TEST(Solid, RoundedCylinderReachesFromEndToEnd) {
   });
 }
 
-TEST(Solid, IntersectionHasThePointsOfBothAndDifferenceThoseOfTheFirstAlone) {
+TEST(Solid, IntersectionIsInsideBothSolidsAndDifferenceOnlyInsideTheFirst) {
   const Solid one = rounded_box(Vector3d::Zero(), {0.8, 0.7, 0.6}, 0.1);
   const Solid other = rounded_box({0.5, 0, 0}, {0.6, 0.3, 1}, 0.1);
   RandomNumbers random(3);
@@ -85,7 +85,7 @@ TEST(Solid, IntersectionHasThePointsOfBothAndDifferenceThoseOfTheFirstAlone) {
   }
 }
 
-TEST(Solid, MovedSolidHasTheMovedDistances) {
+TEST(Solid, RotatedSolidHasTheOriginalDistancesAtRotatedPoints) {
   const Solid box = rounded_box({0.5, 0, 0}, {0.5, 0.2, 0.1}, 0.05);
   const Solid turned = rotated_about_z(box, 90);
   RandomNumbers random(4);
@@ -96,7 +96,7 @@ TEST(Solid, MovedSolidHasTheMovedDistances) {
   EXPECT_NEAR(turned.box.max().y(), 1, 1e-12);
 }
 
-TEST(SolidObject, LabelsAreOfTheNearestPartWithTiesToTheFirst) {
+TEST(SolidObject, LabelIsTheNearestPartOrTheFirstIfEquallyNear) {
   SolidObject object;
   object.parts.push_back({3, rounded_box({-0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});
   object.parts.push_back({1, rounded_box({0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});

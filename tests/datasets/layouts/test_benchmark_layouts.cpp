@@ -39,7 +39,7 @@ class BenchmarkLayouts : public test::FolderTest {
     return test::input_error_of([&] {
       static_cast<void>(find_dataset({.layout = layout,
                                       .root = root(),
-                                      .classification = root() / dataset_layouts().at(layout).usual_classification}));
+                                      .classification = root() / dataset_layouts().at(layout).default_classification}));
     });
   }
 };
@@ -51,7 +51,7 @@ TEST_F(BenchmarkLayouts, Shrec07ClassesFollowFromTheModelNumbers) {
   EXPECT_THAT(error("shrec07"), HasSubstr("401.off"));
 }
 
-TEST_F(BenchmarkLayouts, Shrec10To15IsAFolderWithAClassification) {
+TEST_F(BenchmarkLayouts, Shrec10To15DataSetsAreRecognisedByTheirClassificationFile) {
   for (const char* name : {"T1.off", "T2.off", "T10.off"}) add(name);
   add("test.cla", "PSB 1\n2 3\n\nalien 0 2\n1\n10\n\ncat 0 1\n2\n");
   EXPECT_THAT(recognised(), ElementsAre("shrec11", "1:alien", "2:cat", "10:alien"));

@@ -106,7 +106,7 @@ TEST_F(ModelLabelsOfFiles, DistinguishFilesOfOneNameByTheirExtensions) {
   EXPECT_EQ(both.subclasses.at("m1"), "z");
 }
 
-TEST_F(ModelLabelsOfFiles, ErrorsNameTheLine) {
+TEST_F(ModelLabelsOfFiles, ErrorMessagesGiveTheLineNumber) {
   test::expect_refused({{"id,kind\n1,a\n", "id and class"},
                         {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: model \"T1.off\" is the same as \"1\""},
                         {"id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n", "labels.csv:4: repeated model"},

@@ -26,7 +26,7 @@ class DatasetLayouts : public test::FolderTest {
   [[nodiscard]] Dataset find(const std::string& layout, const std::string& split = "all") const {
     return find_dataset({.layout = layout,
                          .root = root(),
-                         .classification = root() / dataset_layouts().at(layout).usual_classification,
+                         .classification = root() / dataset_layouts().at(layout).default_classification,
                          .split = split});
   }
   [[nodiscard]] std::string error(const std::string& layout, const std::string& split = "all") const {
@@ -86,7 +86,7 @@ TEST_F(DatasetLayouts, RejectPathsThatAreNotFolders) {
   EXPECT_THAT(error("folders"), HasSubstr("is not a folder"));
 }
 
-TEST(LayoutRegistry, RefusesALayoutWithoutAFunction) {
+TEST(LayoutRegistry, RefusesALayoutWithoutAFunctionThatFindsModels) {
   EXPECT_THROW(dataset_layouts().add({.name = "test_none"}), ArgumentError);
   EXPECT_EQ(dataset_layouts().find("test_none"), nullptr);
 }
@@ -228,7 +228,7 @@ std::map<std::string, std::string> failures_of(const Dataset& dataset) {
   return messages;
 }
 
-TEST_F(DatasetLayouts, FoldersLayoutReportsEntriesThatAreNotFiles) {
+TEST_F(DatasetLayouts, FoldersLayoutReportsModelsThatAreNotRegularFiles) {
   write("ant/1.off");
   fs::create_symlink("loop.off", root() / "ant/loop.off");
   fs::create_symlink("nothing", root() / "ant/broken.off");
@@ -281,7 +281,7 @@ TEST_F(DatasetLayouts, FoldersLayoutReportsUnreadableFolders) {
   for (const char* const folder : {"bee", "cow/test"}) fs::permissions(root() / folder, fs::perms::owner_all);
 }
 
-TEST_F(DatasetLayouts, ReportEntriesThatAreNotFiles) {
+TEST_F(DatasetLayouts, ReportModelsWhosePathIsAFolderOrACircularLink) {
   write("T0.off");
   fs::create_symlink("T1.off", root() / "T1.off");
   fs::create_directory(root() / "T2.off");

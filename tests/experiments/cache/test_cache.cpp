@@ -24,7 +24,7 @@ namespace {
 const std::string key(64, 'a');
 const std::string content("values\0\n\xff and more", 18);
 
-TEST(CacheEntry, IsDecodedAsEncoded) {
+TEST(CacheEntry, RestoresItsContentWhenDecoded) {
   for (const std::string& one : {content, std::string(), std::string(5000, '\n')}) {
     EXPECT_EQ(decode_entry(EntryKind::field, key, encode_entry(EntryKind::field, key, one)), one);
   }
@@ -49,7 +49,7 @@ TEST(CacheEntry, DetectsTruncationsAndAdditions) {
   EXPECT_EQ(decode_entry(EntryKind::shape, key, bytes + '\0'), std::nullopt);
 }
 
-TEST(CacheEntry, DiffersForAnotherKindOrKey) {
+TEST(CacheEntry, IsRejectedUnderAnotherKindOrKey) {
   const std::string bytes = encode_entry(EntryKind::shape, key, content);
   EXPECT_EQ(decode_entry(EntryKind::field, key, bytes), std::nullopt);
   EXPECT_EQ(decode_entry(EntryKind::shape, std::string(64, 'b'), bytes), std::nullopt);
@@ -164,7 +164,7 @@ TEST_F(CacheTest, ReplacesADamagedEntryWithOneWarning) {
   }
 }
 
-TEST_F(CacheTest, ReplacesEntriesOfAnotherFormatVersion) {
+TEST_F(CacheTest, RecomputesAnEntryWhoseContentHasAnotherType) {
   keep("a text");
   Cache cache(folder());
   EXPECT_EQ(cache.get(EntryKind::field, entry_key, [] { return 0.5; }), 0.5);
@@ -204,7 +204,7 @@ TEST_F(CacheTest, ReportsAFolderWithoutPermissionWithOneWarning) {
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));
 }
 
-TEST_F(CacheTest, ReplacesAPipeWithTheNameOfAnEntry) {
+TEST_F(CacheTest, ReplacesANamedPipeInPlaceOfAnEntry) {
   fs::create_directories(entry().parent_path());
   ASSERT_EQ(::mkfifo(entry().c_str(), 0600), 0);
   Cache cache(folder());
@@ -213,7 +213,7 @@ TEST_F(CacheTest, ReplacesAPipeWithTheNameOfAnEntry) {
   EXPECT_EQ(cache.find<std::string>(EntryKind::field, entry_key), "value");
 }
 
-TEST_F(CacheTest, KeepsWorkingIfClearedDuringARun) {
+TEST_F(CacheTest, StillStoresResultsIfClearedDuringARun) {
   Cache cache(folder());
   std::jthread clearing([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {

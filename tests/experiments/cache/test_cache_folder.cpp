@@ -41,7 +41,7 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-TEST(CacheFolder, FollowsTheEnvironmentAndTheXdgSpecification) {
+TEST(CacheFolder, DefaultFollowsEnvironmentVariablesAndTheXdgSpecification) {
   const Variable home("HOME", "/home/someone");
   const Variable xdg("XDG_CACHE_HOME", std::nullopt);
   const Variable named("SHAPEGAUGE_CACHE", std::nullopt);
@@ -60,7 +60,7 @@ TEST(CacheFolder, FollowsTheEnvironmentAndTheXdgSpecification) {
   EXPECT_EQ(default_cache_folder(), "");
 }
 
-TEST(CacheFolder, LimitAcceptsSizesWithUnits) {
+TEST(CacheFolder, SizeLimitAcceptsUnitSuffixes) {
   EXPECT_EQ(parse_size("0", "x"), 0U);
   EXPECT_EQ(parse_size("123", "x"), 123U);
   EXPECT_EQ(parse_size("5K", "x"), 5000U);
@@ -73,7 +73,7 @@ TEST(CacheFolder, LimitAcceptsSizesWithUnits) {
   }
 }
 
-TEST(CacheFolder, LimitIsReadFromTheEnvironment) {
+TEST(CacheFolder, SizeLimitIsReadFromAnEnvironmentVariable) {
   const Variable unset("SHAPEGAUGE_CACHE_LIMIT", std::nullopt);
   EXPECT_EQ(cache_limit(), 10'000'000'000U);
   const Variable set("SHAPEGAUGE_CACHE_LIMIT", "1M");

@@ -48,7 +48,7 @@ Outer sample() {
       .points = Eigen::MatrixXf::Random(4, 3)};
 }
 
-TEST(BinaryCodec, RestoresEveryBit) {
+TEST(BinaryCodec, RestoresEveryBitOfEncodedValues) {
   const Outer before = sample();
   const auto after = decode<Outer>(encode(before));
   EXPECT_EQ(after.kind, Kind::two);
@@ -79,7 +79,7 @@ TEST(BinaryCodec, RejectsMissingAndTrailingBytes) {
   EXPECT_THROW(decode<Outer>(bytes + "x"), DamagedBytes);
 }
 
-TEST(BinaryCodec, RejectsCountsBeyondTheAvailableBytes) {
+TEST(BinaryCodec, RejectsAnElementCountLargerThanTheRemainingBytes) {
   const std::string many = encode(std::numeric_limits<std::size_t>::max());
   EXPECT_THROW(decode<std::vector<double>>(many), DamagedBytes);
   EXPECT_THROW(decode<std::string>(many), DamagedBytes);

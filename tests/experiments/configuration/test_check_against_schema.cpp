@@ -47,7 +47,7 @@ std::string message_without(const std::string& parent, const std::string& key) {
 
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check(valid())); }
 
-TEST(SchemaCheck, NamesTheKindOfExperimentForAKeyOfAnotherKind) {
+TEST(SchemaCheck, UnknownKeyErrorNamesTheKindOfExperiment) {
   EXPECT_THAT(schema_error_with("/shapes", Json::array()),
               StartsWith("x.json: unknown key \"shapes\" in a retrieval experiment; known here: \"dataset\", "));
   Json document = valid();
@@ -56,7 +56,7 @@ TEST(SchemaCheck, NamesTheKindOfExperimentForAKeyOfAnotherKind) {
   EXPECT_THAT(test::input_error_of([&] { check(document); }), StartsWith("x.json: unknown key \"segmentation\" in a "));
 }
 
-TEST(SchemaCheck, ReportsAMisspeltKeyBeforeTheMissingOne) {
+TEST(SchemaCheck, ReportsAMisspeltKeyBeforeAMissingKey) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
@@ -64,7 +64,7 @@ TEST(SchemaCheck, ReportsAMisspeltKeyBeforeTheMissingOne) {
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
-TEST(SchemaCheck, ReportsUnknownKeysBeforeTheDeepestError) {
+TEST(SchemaCheck, ReportsAnUnknownKeyBeforeADeeperInvalidValue) {
   Json document = valid();
   document.erase("name");
   document["signatures"][0]["histogram"]["bins"] = "80";
@@ -138,7 +138,7 @@ std::vector<std::string> pointers_in(const Json& document) {
   return pointers;
 }
 
-TEST(SchemaCheck, NamesLocationAndProblemForEveryConstraint) {
+TEST(SchemaCheck, GivesASpecificErrorForEveryViolatedConstraint) {
   Json document = valid();
   document["perturbations"] = Json::parse(R"([{"type": "holes", "radius": 0.1},
                                               {"type": "one_of", "choices": [[], [{"type": "motion"}]]}])");
@@ -173,7 +173,7 @@ std::string part_error(const Json& part, const std::string& definition) {
   return test::input_error_of([&] { check_against_schema(part, definition, "part"); });
 }
 
-TEST(SchemaCheck, ChecksAFragmentAgainstADefinition) {
+TEST(SchemaCheck, ChecksAPartOfAConfigurationAgainstItsDefinition) {
   EXPECT_EQ(part_error({{"type", "cone_sdf"}, {"rays", 9}}, "field"), "no error");
   EXPECT_EQ(part_error({{"bins", 9}, {"range", "per-shape"}}, "histogram"), "no error");
   EXPECT_THAT(part_error({{"type", "cone_sdf"}, {"ray", 9}}, "field"),
@@ -198,7 +198,7 @@ TEST(SchemaCheck, AcceptsASchemaThatRefersToSharedDefinitions) {
   EXPECT_EQ(error({{"count", ""}}), "own.json: count: must not be empty");
 }
 
-TEST(ExperimentSchema, ContainsRegisteredUserDefinedTypes) {
+TEST(ExperimentSchema, ContainsFieldTypesRegisteredByUsers) {
   const Json field{{"type", "test_flat"}, {"height", 2}};
   EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
   field_types().add({.name = "test_flat",

@@ -37,14 +37,14 @@ TEST(ChooseOffset, KeepsARequestedOffset) {
   EXPECT_EQ(choose_offset(0.05, test::box({4, 3, 1}, 1)).gap, 0);
 }
 
-TEST(ChooseOffset, IsAutomaticByDefault) {
+TEST(ChooseOffset, ComputesAnAutomaticOffsetIfNoneIsRequested) {
   const Shape box = test::box({4, 3, 1}, 2);
   const ChosenOffset chosen = choose_offset({}, box);
   ASSERT_TRUE(chosen.automatic);
   EXPECT_EQ(chosen.offset, automatic_offset(box).offset);
 }
 
-TEST(ReasonsForOffset, NameGapsOnlyIfTheOffsetClosesThem) {
+TEST(ReasonsForOffset, StateWhetherTheOffsetClosesGapsAndSmoothsNoise) {
   const auto reasons = [](const AutomaticOffset& automatic) {
     return reasons_for_offset(chosen_automatically(automatic));
   };
@@ -58,7 +58,7 @@ TEST(ReasonsForOffset, NameGapsOnlyIfTheOffsetClosesThem) {
   EXPECT_EQ(reasons_for_offset({.offset = 0.1, .automatic = {}}), "");
 }
 
-TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
+TEST(ChooseOffset, RejectsAShapeWhoseVerticesCoincide) {
   EXPECT_THROW(choose_offset({}, Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}), InputError);
 }
 

@@ -42,7 +42,7 @@ TEST_F(DatasetFiles, InConfigurationsAreReplacedByTheirContents) {
   EXPECT_EQ(dataset, (Json{{"layout", "folders"}, {"root", at("animals").string()}, {"split", "test"}}));
 }
 
-TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFileName) {
+TEST_F(DatasetFiles, WithoutANameKeyAreNamedAfterTheFile) {
   const Json datasets =
       read({{"datasets", {"sets/animals.json", "sets/named.json", {{"name", "x"}, {"root", "y"}}}}})["datasets"];
   EXPECT_EQ(datasets[0]["name"], "animals");
@@ -51,7 +51,7 @@ TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFileName) {
   EXPECT_EQ(datasets[2], (Json{{"name", "x"}, {"root", "y"}}));
 }
 
-TEST_F(DatasetFiles, CanBeChangedByOverrides) {
+TEST_F(DatasetFiles, ContentsCanBeChangedByOverrides) {
   test::write_text(at("run.json"), R"({"name": "x", "datasets": ["sets/animals.json"]})");
   const std::vector<std::string> overrides{"datasets.0.root=/elsewhere"};
   const auto paths = [&](const Json&) { return DocumentPaths{.datasets = pointers_}; };

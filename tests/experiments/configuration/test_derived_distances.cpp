@@ -43,7 +43,7 @@ std::string derived_error_with(const Json& last) {
 const std::vector<DistanceMatrix> two_matrices = {DistanceMatrix{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}},
                                                   DistanceMatrix{{0, 20, 10}, {20, 0, 30}, {10, 30, 0}}};
 
-TEST(DerivedDistances, OfASumAreScaledAndWeighted) {
+TEST(DerivedDistances, SumScalesAndWeightsTheDistancesOfEachSignature) {
   const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}});
   EXPECT_THAT(sum.parts, ElementsAre(0, 1));
   const DistanceMatrix distances = derive(*sum.derived, two_matrices);
@@ -54,7 +54,7 @@ TEST(DerivedDistances, OfASumAreScaledAndWeighted) {
   EXPECT_EQ(derive(*plain.derived, {&two_matrices[1], 1})(0, 1), 40);
 }
 
-TEST(DerivedDistances, OfASumMatchTheLibraryFunctions) {
+TEST(DerivedDistances, SumEqualsThatOfTheLibraryForEveryScaleAndWeighting) {
   const std::vector<double> weights{1, 0.5};
   for (const auto& [word, kind] :
        {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
@@ -74,7 +74,7 @@ TEST(DerivedDistances, OfASumMatchTheLibraryFunctions) {
   }
 }
 
-TEST(DerivedDistances, WeightedByAgreementReportTermsThatDisagree) {
+TEST(DerivedDistances, SumWeightedByAgreementReportsSignaturesThatDisagree) {
   Eigen::VectorXd positions(60);
   for (Eigen::Index i = 0; i < 60; ++i) positions[i] = static_cast<double>(i / 20 * 1000 + i % 20);
   const DistanceMatrix groups = (positions.replicate(1, 60).rowwise() - positions.transpose()).cwiseAbs();
@@ -97,7 +97,7 @@ TEST(DerivedDistances, RejectUnknownNamesOfScalesAndWeights) {
   EXPECT_THAT(read({{"weights", "agree"}}), HasSubstr("weights is \"agree\""));
 }
 
-TEST(DerivedDistances, AcceptNeighboursAsNumberListOrAuto) {
+TEST(DerivedDistances, AcceptNeighbourCountsAsNumberListOrAuto) {
   const auto reranked = [](const Json& neighbours) {
     const Json last{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", neighbours}}}};
     return derive(*derived_signature(last).derived, {&two_matrices[1], 1});
@@ -114,7 +114,7 @@ TEST(DerivedDistances, AcceptNeighboursAsNumberListOrAuto) {
   EXPECT_THAT(error("many"), HasSubstr("signatures.2.rerank.neighbours"));
 }
 
-TEST(DerivedDistances, OfRankFusionAndRerankingMatchTheLibraryFunctions) {
+TEST(DerivedDistances, RankFusionAndRerankingEqualThoseOfTheLibrary) {
   const std::vector<double> equal{1, 1};
   EXPECT_EQ(derive(*derived_signature({{"fuse_ranks", {"a", "b"}}}).derived, two_matrices),
             fusion_of_ranks(two_matrices, equal));
@@ -148,7 +148,7 @@ TEST(DerivedDistances, ConfigurationIsReadBackAsWritten) {
   }
 }
 
-TEST(DerivedDistances, NameTheLocationOfAnError) {
+TEST(DerivedDistances, ConfigurationErrorsNameTheirLocation) {
   const Json one_term{{{"of", "a"}}};
   const std::vector<std::pair<Json, const char*>> mistakes = {
       {{{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}, "signatures.2.sum.1.of: there is no signature \"bb\""},

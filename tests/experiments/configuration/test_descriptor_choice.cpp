@@ -54,7 +54,7 @@ TEST(DescriptorConfiguration, IsReadBackAsWritten) {
   EXPECT_EQ(filled["signatures"][0]["descriptor"]["axes"].size(), 2U);
 }
 
-TEST(DescriptorConfiguration, ErrorsNameTheLocation) {
+TEST(DescriptorConfiguration, ErrorsNameTheLocationInTheDocument) {
   EXPECT_THAT(descriptor_error_with({{"type", "d3"}}), HasSubstr("signatures.0.descriptor.type"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bin", 3}}), HasSubstr("did you mean \"bins\"?"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bins", 0}}), HasSubstr("signatures.0.descriptor.bins"));
@@ -96,7 +96,7 @@ TEST(OffsetWarnings, WarnOfGapsAndHollowShapes) {
   EXPECT_THAT(compute_fields(choice, source).warnings, testing::ElementsAre(HasSubstr("missing")));
 }
 
-TEST(DescriptorConfiguration, HasPicturesColouredByTheFirstFieldIfAny) {
+TEST(DescriptorConfiguration, EnablesReportPicturesOnlyForDescriptorsOfFields) {
   const ReportConfiguration with_fields = configuration_of_descriptor(joint_settings()).report;
   EXPECT_TRUE(with_fields.pictures);
   EXPECT_EQ(with_fields.pictured_signature, 0U);

@@ -22,13 +22,13 @@ std::vector<std::string> matching_texts(const std::vector<std::string>& patterns
   return texts;
 }
 
-TEST(MatchingPaths, ExistInTheDocument) {
+TEST(MatchingPaths, IncludeOnlyPathsThatExistInTheDocument) {
   EXPECT_THAT(matching_texts({"/dataset"}), ElementsAre("/dataset"));
   EXPECT_THAT(matching_texts({"/dataset/root"}), ElementsAre("/dataset/root"));
   EXPECT_THAT(matching_texts({"/dataset/split", "/absent/root", "/groups/file/x"}), IsEmpty());
 }
 
-TEST(MatchingPaths, WithAStarContainEachIndexOfAnArray) {
+TEST(MatchingPaths, ReplaceAStarByEachIndexOfAnArray) {
   EXPECT_THAT(matching_texts({"/shapes/*/file"}), ElementsAre("/shapes/0/file", "/shapes/2/file"));
   EXPECT_THAT(matching_texts({"/shapes/*"}), ElementsAre("/shapes/0", "/shapes/1", "/shapes/2"));
   EXPECT_THAT(matching_texts({"/groups/*", "/dataset/*/root"}), IsEmpty()) << "an object is no array";

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(ParseJson, ParsesValues) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
+TEST(ParseJson, ParsesNestedObjectsAndArrays) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
 TEST(ParseJson, SkipsComments) {
   EXPECT_EQ(parse_json("// one\n{/* two */ \"a\": 1 // three\n}", "x.json"), nlohmann::json({{"a", 1}}));
@@ -43,7 +43,7 @@ TEST(ParseJson, RejectsDeeplyNestedValues) {
               HasSubstr("not valid JSON"));
 }
 
-TEST(ParseJson, KeepsErrorMessagesShort) {
+TEST(ParseJson, KeepsErrorMessagesShortForLongInput) {
   const std::string word(100'000, 'x');
   EXPECT_LT(test::input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
   EXPECT_LT(test::input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(),
@@ -88,7 +88,7 @@ TEST_F(ExpandVariables, ReportsAnUnsetVariable) {
   }
 }
 
-TEST_F(ExpandVariables, RejectsAMissingBrace) {
+TEST_F(ExpandVariables, RejectsAVariableWithoutClosingBrace) {
   EXPECT_THAT(test::input_error_of([] { expand_variables("${SHAPEGAUGE"); }), HasSubstr("without its }"));
 }
 
@@ -130,7 +130,7 @@ TEST(ApplyOverride, ParsesValuesAsJsonOrStrings) {
   EXPECT_EQ(overridden("name=")["name"], "");
 }
 
-TEST(ApplyOverride, CreatesMissingObjects) {
+TEST(ApplyOverride, CreatesMissingObjectsAlongThePath) {
   EXPECT_EQ(overridden("evaluation.minimum_class_size=3")["evaluation"]["minimum_class_size"], 3);
 }
 
@@ -152,7 +152,7 @@ TEST(ApplyOverride, RejectsUnknownPathsAndInvalidText) {
                        overridden);
 }
 
-TEST(ConfigurationError, IsAnInputErrorWithItsPath) {
+TEST(ConfigurationError, MessageBeginsWithThePathOfTheInvalidKey) {
   try {
     at_key("signatures", [] { at_key("0", [] { throw InputError("bins is 0"); }); });
     FAIL();

@@ -47,7 +47,7 @@ const std::vector<Parameter> listed{{.name = "sizes",
                                      .choices = automatic,
                                      .description = "S."}};
 
-TEST(ParameterJson, AcceptsListsAsNumberListOrWord) {
+TEST(ParameterJson, AcceptsANumberAListOrAWordForAListParameter) {
   for (const Json& sizes : {Json(4), Json({4, 9, 1}), Json("auto")}) {
     EXPECT_EQ(to_json(read_parameters(listed, {{"sizes", sizes}})).at("sizes"), sizes);
   }

@@ -46,7 +46,7 @@ TEST(PerturbModel, UsesIndependentRandomNumbersPerStep) {
   EXPECT_EQ(vertices_of(one_hole, 1, "T3", 0), vertices_of(no_hole, 1, "T3", 0));
 }
 
-TEST(PerturbModel, RemarksOnStepsThatMissTheRequestedAmount) {
+TEST(PerturbModel, RemarksOnADecimationThatMissesTheRequestedFaceCount) {
   const Shape box = test::box({1, 2, 3}, 2);
   const auto remarks_of = [&](const char* steps) { return perturb_model(box, steps_of(steps), 1, "T3", 0).remarks; };
   EXPECT_TRUE(remarks_of(R"([{"type": "decimate", "faces": 40}])").empty());
@@ -79,7 +79,7 @@ PerturbedShape perturbed(const std::string& assign, const std::string& id, std::
   return perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
 }
 
-TEST(OneOfPerturbations, InTurnFollowsTheIndexOfTheModel) {
+TEST(OneOfPerturbations, AssignedInTurnFollowTheModelIndex) {
   for (std::size_t model = 0; model < 7; ++model) {
     const PerturbedShape result = perturbed("in_turn", "T3", model);
     EXPECT_EQ(result.chosen, std::vector{model % 3});
@@ -87,7 +87,7 @@ TEST(OneOfPerturbations, InTurnFollowsTheIndexOfTheModel) {
   }
 }
 
-TEST(OneOfPerturbations, AtRandomIsUniformAndDependsOnTheModelId) {
+TEST(OneOfPerturbations, AssignedAtRandomAreUniformAndDependOnTheModelId) {
   std::array<int, 3> times{};
   for (std::size_t i = 0; i < 3000; ++i) {
     const PerturbedShape result = perturbed("random", "T" + std::to_string(i), 0);
@@ -108,7 +108,7 @@ TEST(OneOfPerturbations, CanBeNested) {
   EXPECT_EQ(result.shape.vertices.rows(), 50);
 }
 
-TEST(OneOfPerturbations, FillsInTheDefaultsOfItsChoices) {
+TEST(OneOfPerturbations, FillInTheDefaultSettingsOfEachChoice) {
   const Json settings = to_json(make_perturbations({{{"type", "one_of"}, {"choices", choices()}}})).front();
   EXPECT_EQ(settings["assign"], "random");
   EXPECT_EQ(settings["choices"][0], Json::array());
@@ -159,7 +159,7 @@ TEST(MakePerturbation, FillsInDefaultsOfOmittedSettings) {
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
 }
 
-TEST(MakePerturbation, ListsTheVersionsOfAllPossibleSteps) {
+TEST(MakePerturbation, ListsTheAlgorithmVersionsOfAllNestedSteps) {
   using Versions = std::map<std::string, int>;
   EXPECT_EQ(versions_of(steps_of(R"([{"type": "holes"}])")), (Versions{{"holes", 1}}));
   const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};

@@ -140,7 +140,7 @@ TEST(ExperimentConfiguration, IsReadBackFromJsonAsWritten) {
   EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
 }
 
-TEST(ExperimentConfiguration, ResolvesPathsAgainstTheFileAndTheClassificationAgainstTheRoot) {
+TEST(ExperimentConfiguration, ResolvesTheRootAgainstTheConfigurationFolderAndClassesAgainstTheRoot) {
   setenv("SHAPEGAUGE_TEST_ROOT", "/data/shapes", 1);
   const auto absolute = configuration_with("/dataset/root", "${SHAPEGAUGE_TEST_ROOT}");
   EXPECT_EQ(absolute.location->root, "/data/shapes");
@@ -154,7 +154,7 @@ TEST(ExperimentConfiguration, ComputesInputsBeforeDerivedSignatures) {
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
-TEST(ExperimentConfiguration, ErrorsNameTheLocation) {
+TEST(ExperimentConfiguration, ErrorsNameTheLocationInTheDocument) {
   unsetenv("SHAPEGAUGE_TEST_UNSET");
   const auto json = [](const char* text) { return Json::parse(text); };
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
@@ -196,11 +196,11 @@ TEST(ExperimentConfiguration, ErrorsNameTheLocation) {
 }
 
 TEST(ExperimentConfiguration, ShowsTheFirstFieldInReportsByDefault) {
-  const ReportConfiguration usual = configuration_from_json(experiment_document(), "x.json", "/configs").report;
-  EXPECT_TRUE(usual.enabled && usual.pictures);
-  EXPECT_EQ(usual.pictured_signature, 0U);
-  EXPECT_EQ(usual.picture_options.range.low, 0);
-  EXPECT_NEAR(usual.picture_options.range.high, 0.5641896, 1e-7) << "the diameter of a sphere of unit area";
+  const ReportConfiguration report = configuration_from_json(experiment_document(), "x.json", "/configs").report;
+  EXPECT_TRUE(report.enabled && report.pictures);
+  EXPECT_EQ(report.pictured_signature, 0U);
+  EXPECT_EQ(report.picture_options.range.low, 0);
+  EXPECT_NEAR(report.picture_options.range.high, 0.5641896, 1e-7) << "the diameter of a sphere of unit area";
   EXPECT_FALSE(configuration_with("/report", false).report.enabled);
   EXPECT_FALSE(configuration_with("/report", false).report.pictures);
   const ReportConfiguration plain = configuration_with("/report/pictures", false).report;

@@ -38,7 +38,7 @@ TEST(ParameterGroups, StateTheUnitsOfAnglesAndOffsets) {
 
 Json schema_at(const std::string& pointer) { return Json(schema_definitions()).at(Json::json_pointer(pointer)); }
 
-TEST(ExperimentSchema, ContainsTheParametersOfEachType) {
+TEST(ExperimentSchema, ContainsParametersOfFieldsGeneratedShapesAndHistograms) {
   const Json cone = schema_at("/field/allOf/1/then");
   EXPECT_EQ(cone["properties"]["type"]["const"], "cone_sdf");
   EXPECT_EQ(cone["properties"]["rays"]["minimum"], 1);
@@ -59,7 +59,7 @@ TEST(ConfigurationReference, ShowsAValidConfiguration) {
   EXPECT_EQ(configuration.signatures.size(), document["signatures"].size());
 }
 
-TEST(ExtendingGuide, ShowsTheCodeOfTheTestedExample) {
+TEST(ExtendingGuide, ShowsOnlyCodeOfTheTestedExampleProgram) {
   const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
   const std::string page = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/developer/extending.md");
   const std::string_view fence = "```cpp\n";
@@ -100,7 +100,7 @@ std::vector<std::string> code_words(const std::string& text) {
   return words;
 }
 
-TEST(ExtendingGuide, NamesTheFilesOfEachExtensionKind) {
+TEST(ExtendingGuide, NamesExistingFilesForEachKindOfExtension) {
   const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
   const std::filesystem::path repository = SHAPEGAUGE_SOURCE_FOLDER;
   int from_outside = 0;

@@ -53,7 +53,7 @@ TEST(SegmentationExperiment, ReadsPathsAndSettingsFromTheConfiguration) {
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
-TEST(SegmentationExperiment, SuggestsTheNearestFieldName) {
+TEST(SegmentationExperiment, ErrorForAnUnknownFieldListsTheKnownFields) {
   const Json method{{"name", "a"}, {"method", "paper"}, {"field", "ball"}};
   EXPECT_THAT(test::input_error_of([&] { read(benchmark, method); }),
               HasSubstr("field: unknown word \"ball\"; known here: \"offset_sdf\", \"cone_sdf\""));

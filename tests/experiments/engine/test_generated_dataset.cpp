@@ -53,7 +53,7 @@ TEST_F(PrepareGeneratedDataset, DoesNotReplaceAnotherDataSet) {
   EXPECT_EQ(text_of(at("T0.off")), "mine");
 }
 
-TEST_F(PrepareGeneratedDataset, KeepsAFileThatIsNotARecord) {
+TEST_F(PrepareGeneratedDataset, RejectsAndKeepsAnUnrelatedFileNamedGeneratedJson) {
   for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
     const test::TemporaryFolder folder;
     test::write_text(folder.path() / "generated.json", text);

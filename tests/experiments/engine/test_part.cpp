@@ -51,7 +51,7 @@ TEST(RunPart, AllPartsTogetherCoverEachItemOnce) {
   EXPECT_THAT((Part{.number = 2, .count = 4}.of(items)), ElementsAre(2, 10, 18));
 }
 
-TEST(RunPart, IsParsedFromText) {
+TEST(RunPart, IsParsedFromNumberAndCountSeparatedByASlash) {
   const Part part = parse_part("3/64");
   EXPECT_EQ(part.number, 3U);
   EXPECT_EQ(part.count, 64U);
@@ -60,7 +60,7 @@ TEST(RunPart, IsParsedFromText) {
   }
 }
 
-TEST_F(AutomaticPart, IsReadFromTheVariablesOfJobLaunchers) {
+TEST_F(AutomaticPart, IsReadFromEnvironmentVariablesOfJobLaunchers) {
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "1"}}),
             "3/8");
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "0"}}),
@@ -90,7 +90,7 @@ TEST_F(AutomaticPart, UsesTheInnermostOfSeveralJobLaunchers) {
 }
 
 /// With --array=1,3,7, two tasks would have the first part of three, and none the second.
-TEST_F(AutomaticPart, RejectsUnevenlySpacedTasks) {
+TEST_F(AutomaticPart, RejectsUnevenlySpacedJobArrayTasks) {
   std::map<std::string, std::string> task{{"SLURM_ARRAY_TASK_ID", "7"},
                                           {"SLURM_ARRAY_TASK_COUNT", "3"},
                                           {"SLURM_ARRAY_TASK_MIN", "1"},
@@ -101,7 +101,7 @@ TEST_F(AutomaticPart, RejectsUnevenlySpacedTasks) {
   EXPECT_EQ(part_with(task), "3/3");
 }
 
-TEST_F(AutomaticPart, RejectsACallWithoutALauncher) {
+TEST_F(AutomaticPart, IsRejectedWithoutAJobLauncher) {
   EXPECT_THAT(test::input_error_of([&] { (void)parse_part("auto"); }), HasSubstr("SLURM_ARRAY_TASK_ID"));
   EXPECT_THAT(test::input_error_of([&] {
                 (void)part_with({{"SLURM_PROCID", "1"}, {"SLURM_NTASKS", "x"}});

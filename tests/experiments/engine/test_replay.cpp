@@ -33,7 +33,7 @@ TEST(ManifestReplay, RejectsIncompleteManifests) {
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
 }
 
-TEST(ManifestReplay, RejectsEntriesOfAnotherTypeWithTheirLocation) {
+TEST(ManifestReplay, RejectsManifestEntriesOfTheWrongTypeNamingTheirLocation) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const Json& inputs, const Json& outputs, const Json& failed = Json::array()) {
     const Json manifest{
@@ -96,7 +96,7 @@ TEST(ManifestReplay, RejectsADataSetFolderForGeneratedData) {
               HasSubstr("`dataset_root`"));
 }
 
-TEST(ManifestReplay, AcceptsAnotherFolderForOneOfSeveralDataSets) {
+TEST(ManifestReplay, AcceptsAnotherFolderOnlyIfOneDataSetIsOnDisk) {
   Json manifest{{"configuration",
                  {{"datasets", {{{"name", "a"}, {"generate", Json::object()}}, {{"name", "b"}, {"root", "/old/b"}}}}}}};
   EXPECT_EQ(recorded_configuration(manifest, "/new", paths)["datasets"][1]["root"], "/new");
@@ -118,7 +118,7 @@ TEST(ManifestReplay, NamesChangedInputs) {
               ElementsAre("shape cat is absent"));
 }
 
-TEST(ManifestReplay, IgnoresUnrecordedKindsOfInputs) {
+TEST(ManifestReplay, IgnoresKindsOfInputsThatTheManifestDoesNotRecord) {
   const Json inputs{{"models", {{"1", "aa"}}}};
   const Json recorded{{"inputs", inputs}};
   EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}}}, {"classification", "dd"}}), IsEmpty());
@@ -137,7 +137,7 @@ TEST(ManifestReplay, SummarisesUnrecordedFilesOfFailedModels) {
                           "the files of 2 models that failed in the recorded run were not recorded"));
 }
 
-TEST(ManifestReplay, NamesADifferentVersionOrProcessor) {
+TEST(ManifestReplay, ReportsADifferentProgramVersionOrProcessor) {
   Json manifest = program_json();
   EXPECT_THAT(changed_program(manifest), IsEmpty());
   manifest["shapegauge"] = "0.0.0";

@@ -31,7 +31,7 @@ TEST(FileSafeNames, StayDifferentIfCaseIsIgnored) {
   EXPECT_THAT(file_safe_names(names), ElementsAre("a_b", "a_b_2", "A_b_3", "a_b_2_2"));
 }
 
-RC_GTEST_PROP(FileSafeName, IsNonEmptyVisibleAndWithoutSeparators, (const std::string& name)) {
+RC_GTEST_PROP(FileSafeName, IsNonEmptyAndHasNoLeadingDotOrPathSeparator, (const std::string& name)) {
   const std::string safe = file_safe_name(name);
   RC_ASSERT(!safe.empty());
   RC_ASSERT(safe.front() != '.');
@@ -120,7 +120,7 @@ class StagedResultsInAFolder : public test::FolderTest {
   }
 };
 
-TEST_F(StagedResultsInAFolder, ReplaceEarlierResults) {
+TEST_F(StagedResultsInAFolder, ReplaceEarlierResultsWhenPublished) {
   {
     StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");
@@ -137,7 +137,7 @@ TEST_F(StagedResultsInAFolder, ReplaceEarlierResults) {
   EXPECT_EQ(folder_.size(), 4U) << "nothing else: notes, manifest, summary, distances";
 }
 
-TEST_F(StagedResultsInAFolder, MustNotReplaceInputsFromAnEarlierRun) {
+TEST_F(StagedResultsInAFolder, MustNotReplaceAnInputThatAnEarlierRunWrote) {
   const fs::path superseded = at("distances/b.npy");
   EXPECT_THROW(check_results_are_no_inputs(folder_.path(), {}, {&superseded, 1}), InputError);
   const fs::path folder_of_results = at("distances");
@@ -174,7 +174,7 @@ TEST_F(StagedResultsInAFolder, DoNotRemoveUnrelatedFilesListedByAManifest) {
   fs::remove(neighbour);
 }
 
-TEST_F(StagedResultsInAFolder, KeepEarlierResultsUnlessPublished) {
+TEST_F(StagedResultsInAFolder, LeaveEarlierResultsUnchangedUnlessPublished) {
   {
     const StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");

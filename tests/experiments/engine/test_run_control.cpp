@@ -44,7 +44,7 @@ TEST(ForEachModel, ReturnsFailuresInTheOrderOfModels) {
   EXPECT_EQ(failures[1].message, "model 1");
 }
 
-TEST(ForEachModel, StopsWithTheFirstFailedModel) {
+TEST(ForEachModel, ReportsOnlyTheFirstFailureInModelOrderWhenStopping) {
   const std::vector<ModelFailure> failures = failures_of_two(true);
   ASSERT_EQ(failures.size(), 1U);
   EXPECT_EQ(failures[0].message, "model 0");

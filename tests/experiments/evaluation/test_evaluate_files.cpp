@@ -82,11 +82,11 @@ class EvaluateFiles : public test::FolderTest {
   }
 };
 
-TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheirMatrixForEveryDistance) {
+TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheirDistanceMatrixForEveryDistanceFunction) {
   for (const std::string& distance : distances().names()) expect_same(distance, "labels.csv", {});
 }
 
-TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheDistancesBetweenThemForEveryProtocolAndTieOrder) {
+TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheirDistanceMatrixForEveryProtocolAndTieOrder) {
   for (const std::string& protocol : list_of_words<Protocol>()) {
     for (const std::string& ties : list_of_words<Ties>()) {
       for (const char* labels : {"labels.csv", "sets.csv"}) {
@@ -97,7 +97,7 @@ TEST_F(EvaluateFiles, FeaturesHaveTheScoresOfTheDistancesBetweenThemForEveryProt
   }
 }
 
-TEST_F(EvaluateFiles, WarnsOfAnomaliesOfFeatureDistances) {
+TEST_F(EvaluateFiles, WarnsOfModelsWithIdenticalFeatures) {
   const EvaluatedFiles evaluated =
       evaluate_files({.matrix = at("features.npy"), .labels = at("labels.csv"), .distance = "l2"}, {});
   const DistanceMatrix features = many_features(models);
@@ -182,7 +182,7 @@ TEST_F(MatrixWarnings, IgnoreAsymmetryByRounding) {
               ElementsAre(HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(MatrixWarnings, NameTheAnomalyAndItsEffectOnScores) {
+TEST_F(MatrixWarnings, ReportNegativeInfiniteAsymmetricAndRepeatedDistances) {
   EXPECT_THAT(warnings_of("0 -1 2 inf\n1 0 4 5\n2 4.25 0.5 6\n3 5 6 0\n"),
               ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("1 distance is infinite"),
                           HasSubstr("not symmetric: 3 pairs of entries (i, j) and (j, i) differ, by up to 2;"),
@@ -197,20 +197,20 @@ TEST_F(MatrixWarnings, NameTheAnomalyAndItsEffectOnScores) {
               Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
 }
 
-TEST_F(MatrixWarnings, IgnoreSignsAndDiagonalOfSimilarities) {
+TEST_F(MatrixWarnings, AreEmptyForSimilaritiesButReportDistancesDeclaredAsSimilarities) {
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
               Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
 }
 
-TEST_F(MatrixWarnings, ReportNearestModelsAtDistanceZero) {
+TEST_F(MatrixWarnings, ReportThatEachQueryHasAnotherModelAtDistanceZero) {
   EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 0\n3 5 0 0\n"),
               Contains(HasSubstr("each query has another model at distance 0")));
   EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 6\n3 5 6 0\n"), Not(Contains(HasSubstr("at distance 0"))));
 }
 
 // Twenty models of two classes, in which each is nearest to one of the other class.
-TEST(ChanceWarning, WarnsIfNearestNeighbourIsFarBelowChance) {
+TEST(ChanceWarning, AppearsIfTheNearestNeighbourScoreIsFarBelowChance) {
   const test::TemporaryFolder folder;
   std::string labels = "id,class\n";
   std::string far;
@@ -251,7 +251,7 @@ TEST_F(EvaluateFiles, WarnsOfTrecRunsWhoseScoresAreDistances) {
   EXPECT_THAT(warnings_of("0 Q0 1 1 0.2 r\n0 Q0 2 2 0.1 r\n"), Not(Contains(HasSubstr("the scores rise"))));
 }
 
-TEST_F(EvaluateFiles, WarnsIfQueriesFindThemselvesAmongOtherTargets) {
+TEST_F(EvaluateFiles, WarnsIfQueriesFindThemselvesUnlessIdsAreDeclaredShared) {
   test::write_text(at("q.csv"), "id,class\na,x\nb,x\n");
   test::write_text(at("t.csv"), "id,class\na,x\nb,x\nc,y\n");
   test::write_text(at("d.txt"), "0 1 2\n1 0 3\n");
@@ -284,7 +284,7 @@ TEST_F(EvaluateFiles, RejectsMatrixSettingsForRankedLists) {
   }
 }
 
-TEST_F(EvaluateFiles, MatchesIdsWithPathSuffixes) {
+TEST_F(EvaluateFiles, MatchesIdsThatDifferInFolderOrExtension) {
   test::write_text(at("paths.csv"), "id,class\ncat/a,cat\ncat/b,cat\ndog/c,dog\n");
   test::write_text(at("names.csv"), "id,class\na.obj,cat\nb.obj,cat\nc.obj,dog\n");
   for (const auto& [ids, labels] : {std::pair{"a,b,c", "paths.csv"},

@@ -43,7 +43,7 @@ TEST_F(EvaluationTaskTest, AssignsRowsToLabelsInNaturalOrder) {
   EXPECT_TRUE(input.task.same_rows_and_columns);
 }
 
-TEST_F(EvaluationTaskTest, NegatesSimilarities) {
+TEST_F(EvaluationTaskTest, RanksModelsByDecreasingSimilarity) {
   const auto labels = two_classes();
   const auto matrix = file("s.txt", "9 5 1 0\n5 9 0 1\n1 0 9 5\n0 1 5 9\n");
   EXPECT_EQ(measure(open_evaluation_files({.matrix = matrix, .labels = labels, .similarity = true}), "FT"), 1);
@@ -136,7 +136,7 @@ TEST_F(EvaluationTaskTest, ScoresRankedListsByClasses) {
   EXPECT_EQ(measure(open_evaluation_files({.matrix = tied, .labels = two_classes()}), "MRR"), 1) << "2 > 10 as text";
 }
 
-TEST_F(EvaluationTaskTest, GradesRankedListsAndMatricesBySubclasses) {
+TEST_F(EvaluationTaskTest, GradesRelevanceBySubclassInRankedListsAndMatrices) {
   const auto labels =
       file("sub.csv", "id,class,subclass\n1,ant,red\n2,ant,ant\n3,ant,red\n4,ant,blue\n5,bee,\n6,bee,\n");
   // For 1: itself 3, then 2 (of the class as such), 5 (a miss), 4 (another subclass); 3 would have gained 3.
@@ -154,7 +154,7 @@ TEST_F(EvaluationTaskTest, GradesRankedListsAndMatricesBySubclasses) {
   EXPECT_DOUBLE_EQ(measure(matrix, "nDCG@N", Protocol::paper), all_found / ideal);
 }
 
-TEST_F(EvaluationTaskTest, RejectsAMatrixWithoutIdsForJudgements) {
+TEST_F(EvaluationTaskTest, RejectsAMatrixWithoutIdsIfScoredByRelevanceJudgements) {
   const auto qrels = file("j.txt", "2 0 10 1\n");
   const auto matrix = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = matrix, .qrels = qrels}); }),
@@ -168,7 +168,7 @@ TEST_F(EvaluationTaskTest, RejectsAMatrixWithoutIdsForJudgements) {
               HasSubstr("\"11\" is judged but is not in the matrix"));
 }
 
-TEST_F(EvaluationTaskTest, MatchesIdsThatDifferOnlyInTheExtensionExactly) {
+TEST_F(EvaluationTaskTest, DistinguishesIdsThatDifferOnlyInTheExtension) {
   const auto labels = file("pairs.csv", "id,class\nm0.off,x\nm0.obj,y\nm1.off,y\nm2,x\n");
   const auto matrix =
       file("d.csv", "id,m0.obj,m0.off,m1.obj,m2\nm0.obj,0,1,2,3\nm0.off,1,0,2,3\nm1.obj,2,2,0,3\nm2,3,3,3,0\n");
@@ -184,7 +184,7 @@ TEST_F(EvaluationTaskTest, MatchesIdsThatDifferOnlyInTheExtensionExactly) {
               ElementsAre(testing::IsEmpty(), ElementsAre(0), testing::IsEmpty(), testing::IsEmpty()));
 }
 
-TEST_F(EvaluationTaskTest, ReportsMismatchedIdsAsOneError) {
+TEST_F(EvaluationTaskTest, RejectsMatricesWhoseSizeOrIdsDoNotMatchTheLabels) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   const auto error = [&](const EvaluationFiles& files) {
@@ -218,10 +218,10 @@ TEST_F(EvaluationTaskTest, ReportsMismatchedIdsAsOneError) {
 TEST_F(EvaluationTaskTest, AssignsRowsWithoutIdsInTheOrderOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
-  const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
-  EXPECT_THAT(usual.task.query_ids, ElementsAre("10", "2", "1"));
-  EXPECT_EQ(measure(usual, "NN"), 1);
-  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("`order=natural`")));
+  const EvaluationData data = open_evaluation_files({.matrix = matrix, .labels = labels});
+  EXPECT_THAT(data.task.query_ids, ElementsAre("10", "2", "1"));
+  EXPECT_EQ(measure(data, "NN"), 1);
+  EXPECT_THAT(data.task.warnings, ElementsAre(HasSubstr("`order=natural`")));
   const EvaluationData natural =
       open_evaluation_files({.matrix = matrix, .labels = labels, .order = RowOrder::natural});
   EXPECT_THAT(natural.task.query_ids, ElementsAre("1", "2", "10"));
@@ -229,12 +229,12 @@ TEST_F(EvaluationTaskTest, AssignsRowsWithoutIdsInTheOrderOfLabels) {
   EXPECT_THAT(natural.task.warnings, testing::IsEmpty());
 }
 
-TEST_F(EvaluationTaskTest, AssignsRowsInNaturalOrderOfAClassification) {
+TEST_F(EvaluationTaskTest, AssignsRowsToModelsOfAClassificationFileInNaturalOrder) {
   const auto labels = file("labels.cla", "PSB 1\n2 3\nant 0 2\n10 2\nbee 0 1\n1\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 5\n5 5 0\n");
-  const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
-  EXPECT_THAT(usual.task.query_ids, ElementsAre("1", "2", "10"));
-  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("`order=file`")));
+  const EvaluationData data = open_evaluation_files({.matrix = matrix, .labels = labels});
+  EXPECT_THAT(data.task.query_ids, ElementsAre("1", "2", "10"));
+  EXPECT_THAT(data.task.warnings, ElementsAre(HasSubstr("`order=file`")));
   const EvaluationData in_file = open_evaluation_files({.matrix = matrix, .labels = labels, .order = RowOrder::file});
   EXPECT_THAT(in_file.task.query_ids, ElementsAre("10", "2", "1"));
   EXPECT_THAT(in_file.task.warnings, testing::IsEmpty());
@@ -245,7 +245,7 @@ TEST_F(EvaluationTaskTest, AssignsRowsInNaturalOrderOfAClassification) {
   EXPECT_THAT(open_evaluation_files({.matrix = named, .labels = labels}).task.warnings, testing::IsEmpty());
 }
 
-TEST_F(EvaluationTaskTest, AssignsRowsOfASplitMatrixInTheOrderOfLabels) {
+TEST_F(EvaluationTaskTest, AssignsRowsInLabelFileOrderIfLabelsDefineASplit) {
   const auto labels = file("split.csv", "id,class,split\n3,bee,query\n1,ant,target\n2,bee,target\n4,ant,query\n");
   write_npy(at("all.npy"), DistanceMatrix::Ones(4, 4));
   const EvaluationData all = open_evaluation_files({.matrix = at("all.npy"), .labels = labels});
@@ -272,7 +272,7 @@ TEST_F(EvaluationTaskTest, AssignsLabelsWithoutIdsInTheOrderOfRows) {
 
 // The documented behaviour of trec_eval's options, on one run: q1 and q2 are answered, q3 is judged only. -c divides by
 // all three. Its -q is per_query here.
-TEST_F(EvaluationTaskTest, CountsJudgedQueriesWithoutAnswersOnRequest) {
+TEST_F(EvaluationTaskTest, CountsJudgedQueriesWithoutARankedListAsZeroOnRequest) {
   const auto run = file("r.txt", "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\nq2 Q0 b 1 1 mine\n");
   const auto qrels = file("j.qrels", "q1 0 b 1\nq1 0 a 0\nq2 0 b 3\nq2 0 c 1\nq3 0 a 1\nq3 0 b 0\n");
   const EvaluationData answered = open_evaluation_files({.matrix = run, .qrels = qrels});

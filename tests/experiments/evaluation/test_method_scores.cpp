@@ -47,7 +47,7 @@ TEST_F(MethodScoreTables, PrefixEqualMethodNamesWithTheFileName) {
   EXPECT_THAT(align_methods(methods, {}).methods, ElementsAre("one: a", "one: b", "two: a", "two: b"));
 }
 
-TEST_F(MethodScoreTables, RejectIncomparableScoresWithOneError) {
+TEST_F(MethodScoreTables, RejectScoresOfDifferentQueriesClassesProtocolsOrMeasures) {
   const auto align_error = [&](const std::string& more, const std::vector<std::string>& measures = {}) {
     std::vector<MethodScores> methods = read(table);
     const std::vector<MethodScores> others = read(more, "other.csv");
@@ -67,7 +67,7 @@ TEST_F(MethodScoreTables, RejectIncomparableScoresWithOneError) {
               HasSubstr("no measure in common"));
 }
 
-TEST_F(MethodScoreTables, RejectInvalidRowsWithTheirLine) {
+TEST_F(MethodScoreTables, RejectInvalidRowsNamingTheirLineNumber) {
   EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected a table of scores by query"));
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"),
               HasSubstr("per_query.csv:2: expected 5 cells as in the first row, found 4"));
@@ -95,7 +95,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files, const s
   return align_methods(methods, {}, names).methods;
 }
 
-TEST(MethodNames, AreTheShortestUniqueNames) {
+TEST(MethodNames, AreTheShortestUniquePartsOfFilePaths) {
   EXPECT_THAT(names_of({"a/d.npy", "a/e.npy"}), ElementsAre("d", "e"));
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}), ElementsAre("d", "x/d"));
   EXPECT_THAT(names_of({"d.npy", "d.csv", "e.npy"}), ElementsAre("d.npy", "d.csv", "e"));
@@ -103,7 +103,7 @@ TEST(MethodNames, AreTheShortestUniqueNames) {
   EXPECT_THAT(names_of({"a/d.npy", "./a/d.npy"}), ElementsAre("d", "d (2)"));
 }
 
-TEST(MethodNames, AreTheRequestedUniqueNames) {
+TEST(MethodNames, RequestedByTheUserMustBeUniqueAndOnePerMethod) {
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}, {"ours", "theirs"}), ElementsAre("ours", "theirs"));
   EXPECT_THAT(test::input_error_of([] {
                 names_of({"d.npy", "x/d.npy"}, {"ours"});

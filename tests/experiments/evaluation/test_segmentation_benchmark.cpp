@@ -61,7 +61,7 @@ Labels halves(const Shape& shape, double limit) {
   return labels;
 }
 
-TEST(SegmentationScorer, MeasuresCutDiscrepancyInMeanRadii) {
+TEST(SegmentationScorer, MeasuresCutDiscrepancyInUnitsOfTheMeanRadius) {
   // Cuts of a unit sphere at two heights: about as far apart as the arc between them, both ways.
   const Shape sphere = test::sphere(1, 5);
   const SegmentationScorer scorer(sphere, {});

@@ -38,7 +38,7 @@ SegmentationScores small_scores() {
                      {errors(0.2, 1), errors(0.5, 0.5), errors(0.2, 0.25), errors(0.5, 0.25)}}};
 }
 
-TEST(SegmentationTables, AverageTheDefinedErrorsOfAClassOrOfAllShapes) {
+TEST(SegmentationTables, AverageErrorsOverAClassOrAllShapesIgnoringUndefinedErrors) {
   const SegmentationScores scores = small_scores();
   EXPECT_DOUBLE_EQ(scores.mean(0, &SegmentationErrors::rand_index), 1.3 / 4);
   EXPECT_DOUBLE_EQ(scores.mean(0, &SegmentationErrors::rand_index, 0), 1.05 / 3);
@@ -87,7 +87,7 @@ TEST(SegmentationTables, ContainTheMeansOfEachMethodAndClass) {
   }
 }
 
-TEST(SegmentationTables, CompareMethodsByTheMeansOfClasses) {
+TEST(SegmentationTables, CompareMethodsByTheirMeanErrorsPerClass) {
   SegmentationScores scores = small_scores();
   const std::optional<MethodComparison> comparison = rand_comparison(scores);
   ASSERT_TRUE(comparison);
@@ -107,7 +107,7 @@ TEST(SegmentationTables, CompareMethodsByTheMeansOfClasses) {
   EXPECT_EQ(pair_table(scores, *comparison).rows[0].back(), "0 of 3") << "nobody wins the ants";
 }
 
-TEST(SegmentationTables, OmitTheComparisonForUndefinedErrorsOrOneClass) {
+TEST(SegmentationTables, OmitTheMethodComparisonForUndefinedErrorsOrOneClass) {
   SegmentationScores scores = small_scores();
   scores.errors[1][2].rand_index = std::nan("");
   EXPECT_FALSE(rand_comparison(scores)) << "an undefined error";

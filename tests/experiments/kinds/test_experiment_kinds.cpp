@@ -143,7 +143,7 @@ TEST_F(ExperimentKinds, AreDefinedInTheSchema) {
             schema["definitions"]["retrieval_experiment"]["properties"]["signatures"]);
 }
 
-TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
+TEST_F(ExperimentKinds, DoNotWriteResultsIntoTheFolderOfTheirDataSet) {
   Cache none;
   EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none); }),
               HasSubstr("the results would overwrite the input " + at("data").string()));
@@ -155,7 +155,7 @@ TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
               HasSubstr("the results would overwrite the input " + at("spheres/summary.json").string()));
 }
 
-TEST_F(ExperimentKinds, DoNotOverwriteInputsThatHaveTheNameOfAnyResult) {
+TEST_F(ExperimentKinds, DoNotOverwriteInputsNamedLikeAResultFile) {
   const auto error_of = [&](const Json& document, const std::string& output) {
     Cache none;
     return test::input_error_of([&] {
@@ -212,7 +212,7 @@ TEST_F(ExperimentKinds, GiveTheSameResultsInPartsAsInOneRun) {
   }
 }
 
-TEST_F(ExperimentKinds, RunPartsOnlyWithACacheAndIfSupported) {
+TEST_F(ExperimentKinds, RejectRunsInPartsWithoutACacheOrIfIndivisible) {
   Cache none;
   const Experiment experiment = read_experiment(retrieval(), "test.json", at(""));
   EXPECT_THAT(test::input_error_of([&] { (void)run_part(experiment, {}, at("out"), {}, none); }), HasSubstr("cache"));
@@ -248,7 +248,7 @@ TEST_F(ExperimentKinds, ContinueFromTheCacheAfterAnInterruption) {
   }
 }
 
-TEST_F(ExperimentKinds, KeepTheGeneratedShapesOfASegmentation) {
+TEST_F(ExperimentKinds, ReuseGeneratedShapesWhenASegmentationIsRunAgain) {
   Cache none;
   (void)run(segmentation(), "parts", none);
   int generated = 0;

@@ -44,7 +44,7 @@ class DatasetLeaderboardFolders : public test::FolderTest {
   }
 };
 
-TEST_F(DatasetLeaderboardFolders, HaveTheirLabelsInEachFolder) {
+TEST_F(DatasetLeaderboardFolders, AreReadWithTheLabelsTargetsAndIdsInEachFolder) {
   add("t/targets.csv", small_labels());
   add("t/ids.txt", "m0\n");
   const std::vector<SubmittedDataset> found =
@@ -73,7 +73,7 @@ TEST_F(DatasetLeaderboardFolders, AreRejectedWithMissingOrAmbiguousLabelsAndDupl
   EXPECT_THAT(refusal({at("s"), at("deep/s")}), AllOf(HasSubstr("two data sets"), HasSubstr("\"s\"")));
 }
 
-TEST_F(DatasetLeaderboardFolders, AreComparedByMeanRanks) {
+TEST_F(DatasetLeaderboardFolders, RankMethodsByTheirMeanRankOverDataSets) {
   const DatasetLeaderboards all = judged();
   EXPECT_THAT(all.results.methods, ElementsAre("good", "poor"));
   const MultiDatasetTable& table = main_table(all.results);
@@ -110,7 +110,7 @@ TEST_F(DatasetLeaderboardFolders, AreRejectedWithoutACommonMethod) {
   EXPECT_THAT(test::input_error_of([&] { (void)judged(); }), HasSubstr("data set u"));
 }
 
-TEST_F(DatasetLeaderboardFolders, ShowTheStandardDeviationOfRepetitions) {
+TEST_F(DatasetLeaderboardFolders, ShowTheStandardDeviationOfRepeatedSubmissions) {
   for (const char* name : {"s", "t", "u"}) {
     for (int seed = 1; seed <= 2; ++seed) {
       add(fmt::format("{}/fair.seed{}.csv", name, seed), small_matrix(1 + 0.5 * seed));
@@ -138,7 +138,7 @@ TEST_F(DatasetLeaderboardFolders, ShowTheStandardDeviationOfRepetitions) {
   EXPECT_EQ(json["methods"][1]["rank_interval"][0], 2);
 }
 
-TEST_F(DatasetLeaderboardFolders, HaveASiteWithLinksToEachDataSet) {
+TEST_F(DatasetLeaderboardFolders, WebSiteLinksToThePageOfEachDataSet) {
   const fs::path site = at("site");
   const DatasetLeaderboards all = judged();
   EXPECT_EQ(write_dataset_site(site, "Contest", all, options()).written, 6U);

@@ -58,7 +58,7 @@ TEST_F(JudgeSubmissions, ReadsSimilaritiesIfTheDescriptionDeclaresThem) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesWithoutADescription) {
+TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesNotDeclaredInADescription) {
   small.add("alike.csv", small_matrix(0, -1));
   EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
   small.add("alike.json", R"({"similarity": false})");
@@ -80,7 +80,7 @@ TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesOtherSubmissions) {
   }
 }
 
-TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnListDepth) {
+TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndWarnsOfShortRankedLists) {
   std::string lists;  // three queries, each with the three others of its class
   for (const int query : {0, 1, 2}) {
     lists += fmt::format("m{}", query);
@@ -122,7 +122,7 @@ TEST_F(JudgeSubmissions, GivesSubmissionsUniqueNames) {
   EXPECT_THAT(board.submissions[1].warnings, testing::Contains(HasSubstr("same bytes")));
 }
 
-TEST_F(JudgeSubmissions, RanksOneSubmissionAlone) {
+TEST_F(JudgeSubmissions, RanksASingleSubmissionFirst) {
   std::filesystem::remove(small.submissions() / "poor.csv");
   const Leaderboard board = small.judged();
   ASSERT_EQ(board.submissions.size(), 1U);
@@ -137,7 +137,7 @@ TEST_F(JudgeSubmissions, FailsIfNoSubmissionIsValid) {
               testing::AllOf(HasSubstr("good.csv"), HasSubstr("poor.csv"), HasSubstr("12")));
 }
 
-TEST_F(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
+TEST_F(JudgeSubmissions, RejectsARankingMeasureThatIsNotEvaluated) {
   JudgingOptions options = small.options();
   options.rank_by = "P@10";
   Cache none;
@@ -261,7 +261,7 @@ TEST_F(JudgeSubmissions, CacheKeyContainsEveryInput) {
   EXPECT_EQ(computed(small.options()), 0U);
 }
 
-TEST_F(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
+TEST_F(JudgeSubmissions, ReevaluatesFeaturesForAnotherDistanceFunction) {
   std::filesystem::remove(small.submissions() / "good.csv");  // a matrix of distances
   for (const char* distance : {"l1", "l2"}) {
     JudgingOptions options = small.options();

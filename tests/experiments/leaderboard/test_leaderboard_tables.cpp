@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(LeaderboardTables, ContainMicroAndMacroAveragesWithIntervalsAndGroups) {
+TEST(LeaderboardTables, ContainMicroAndMacroAveragesWithIntervalsAndSignificanceGroups) {
   const test_board::SmallBoard small;
   const Leaderboard board = small.judged();
   const TextTable table = leaderboard_csv_table(board);
@@ -24,7 +24,7 @@ TEST(LeaderboardTables, ContainMicroAndMacroAveragesWithIntervalsAndGroups) {
   EXPECT_EQ(table.rows[2][9], board.micro[0][1].letters);
 }
 
-TEST(LeaderboardTables, ContainFractionsSettingsAndRejectionsInJson) {
+TEST(LeaderboardTables, JsonContainsFractionalScoresSettingsAndRejectedFiles) {
   const test_board::SmallBoard small;
   small.add("bad.csv", "0,1\n1,0\n");
   small.add("good.json", R"({"authors": "A"})");

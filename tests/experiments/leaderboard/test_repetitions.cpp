@@ -55,7 +55,7 @@ TEST(Repetitions, AreMergedIntoOneMethodWithMeanAndStandardDeviation) {
   EXPECT_EQ(board.submissions[0].micro_deviation.size(), 0);
 }
 
-TEST(Repetitions, AppearInTablesFilesAndPages) {
+TEST(Repetitions, ShowTheirStandardDeviationInTablesFilesAndPages) {
   const RepeatedBoard small;
   const Leaderboard board = small.judged();
   const std::string deviation = score_text(board.submissions[1].micro_deviation[1], {});
@@ -74,7 +74,7 @@ TEST(Repetitions, AppearInTablesFilesAndPages) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"deviations\":{\"micro\":[0."));
 }
 
-TEST(Repetitions, OfOneFileAreAnOrdinarySubmission) {
+TEST(Repetitions, WithASingleFileAreAnOrdinarySubmission) {
   const test_board::SmallBoard small;
   small.add("alone.seed7.csv", test_board::small_matrix(0.5));
   const Leaderboard board = small.judged();

@@ -89,7 +89,7 @@ TEST_F(SubmissionsOfAFolder, AreRejectedForAnInvalidDescription) {
   }
 }
 
-TEST_F(SubmissionsOfAFolder, ExcludeADescriptionWithoutASubmission) {
+TEST_F(SubmissionsOfAFolder, RejectADescriptionWithoutASubmission) {
   add("x.npy");
   add("y.json", "{}");
   const FoundSubmissions found = find();
@@ -97,7 +97,7 @@ TEST_F(SubmissionsOfAFolder, ExcludeADescriptionWithoutASubmission) {
   EXPECT_EQ(found.refused[0].file, at("y.json"));
 }
 
-TEST_F(SubmissionsOfAFolder, MustNotLieOutsideTheFolder) {
+TEST_F(SubmissionsOfAFolder, MustNotReferToFilesOutsideTheFolder) {
   const test::TemporaryFolder elsewhere;
   const auto secret = elsewhere.file("secret.txt", "secret");
   std::filesystem::create_symlink(secret, at("link.txt"));
@@ -124,7 +124,7 @@ TEST_F(SubmissionsOfAFolder, MustNotLieOutsideTheFolder) {
   }
 }
 
-TEST_F(SubmissionsOfAFolder, ExcludeTheLabels) {
+TEST_F(SubmissionsOfAFolder, ExcludeTheFileOfLabels) {
   add("x.npy");
   add("labels.csv");
   EXPECT_EQ(find({at("labels.csv"), {}}).submissions.size(), 1U);
@@ -141,7 +141,7 @@ TEST_F(SubmissionsOfAFolder, ExcludeReadmeFiles) {
   EXPECT_EQ(found.skipped.size(), 2U);
 }
 
-TEST_F(SubmissionsOfAFolder, MustNotBeMissing) {
+TEST_F(SubmissionsOfAFolder, RejectAFolderWithoutSubmissions) {
   add("README.md");
   EXPECT_THAT(test::input_error_of([&] { find(); }), HasSubstr("no submissions"));
 }

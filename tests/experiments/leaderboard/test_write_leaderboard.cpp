@@ -105,7 +105,7 @@ TEST_F(WriteLeaderboardSite, WritesNoFolderPathsIntoPages) {
             "m.npy: row 3 of labels.csv");
 }
 
-TEST_F(WriteLeaderboardSite, HidesClassesOnRequest) {
+TEST_F(WriteLeaderboardSite, HidesClassNamesAndScoresOnRequest) {
   update(site);
   JudgingOptions options = small.options();
   rename_class("secret");
@@ -118,7 +118,7 @@ TEST_F(WriteLeaderboardSite, HidesClassesOnRequest) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
-TEST_F(WriteLeaderboardSite, PagesDoNotDependOnTheOutputFolder) {
+TEST_F(WriteLeaderboardSite, UpdatedSiteEqualsANewlyWrittenSite) {
   update(small.folder.path() / "grown");
   small.add("third.csv", test_board::small_matrix(1));
   update(small.folder.path() / "grown");

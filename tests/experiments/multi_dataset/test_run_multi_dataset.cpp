@@ -77,7 +77,7 @@ TEST_F(RunMultiDataset, RejectsDataSetsNamedLikeItsResultFiles) {
   EXPECT_NO_THROW((void)read(json));
 }
 
-TEST_F(RunMultiDataset, TabulatesTheAveragesOfTheDataSets) {
+TEST_F(RunMultiDataset, TabulatesTheAverageScoresOfEachDataSet) {
   (void)run(document(), "together");
   const Json summary = json_in("together/summary.json");
   EXPECT_EQ(summary["methods"], (Json{"fixed", "per shape", "data set", "both"}));
@@ -181,7 +181,7 @@ TEST_F(RunMultiDataset, ReplacesTheFilesOfAnEarlierRun) {
   EXPECT_TRUE(fs::exists(at("results/second/summary.csv")));
 }
 
-TEST_F(RunMultiDataset, RejectsDataSetsWithoutUniqueNamesAndUnknownKeys) {
+TEST_F(RunMultiDataset, RejectsMissingOrRepeatedDataSetNamesAndUnknownKeys) {
   Json both = document();
   both["dataset"] = both["datasets"][0];
   EXPECT_THAT(test::input_error_of([&] { read(both); }), HasSubstr("dataset"));

@@ -23,7 +23,7 @@ Evaluation small_evaluation() {
   return evaluate(distances, std::vector<int>{0, 0, 1, 1}, {});
 }
 
-TEST(EvaluationPlots, ContainTheCurvesOfTheTable) {
+TEST(EvaluationPlots, ContainThePrecisionRecallCurvesReadFromATable) {
   const Evaluation evaluation = small_evaluation();
   const std::vector<NamedEvaluation> named{{.method = "a, \"b\"", .evaluation = &evaluation},
                                            {.method = "other", .evaluation = &evaluation}};
@@ -48,7 +48,7 @@ TEST(EvaluationPlots, RejectTablesWithoutCurves) {
   }
 }
 
-TEST(EvaluationPlots, DrawClassesAsBars) {
+TEST(EvaluationPlots, DrawTheScoresOfClassesAsBars) {
   const Evaluation evaluation = small_evaluation();
   const NamedEvaluation named{.method = "m", .evaluation = &evaluation};
   const std::vector<std::string> names{"ants", "cups"};
@@ -56,7 +56,7 @@ TEST(EvaluationPlots, DrawClassesAsBars) {
   EXPECT_THROW(class_plot({&named, 1}, names, "XY"), InputError);
 }
 
-TEST(EvaluationPlots, DrawScoresAsBars) {
+TEST(EvaluationPlots, DrawTheScoresOfMethodsAsBars) {
   const std::vector<std::string> methods{"a", "b"};
   const std::vector<std::string> measures{"NN", "FT"};
   MethodComparison comparison;

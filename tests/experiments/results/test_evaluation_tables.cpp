@@ -233,7 +233,7 @@ TEST_F(EvaluationTables, PsbPlotListsRecallAndPrecision) {
   EXPECT_THAT(plot, testing::EndsWith("0.950000\t0.481224\n1.000000\t0.484354\n"));
 }
 
-TEST_F(EvaluationTables, JsonContainsFractions) {
+TEST_F(EvaluationTables, JsonContainsScoresAsFractions) {
   const auto json = evaluation_json(evaluation, classes);
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["ties"], "index");

@@ -63,7 +63,7 @@ TEST_F(ComparisonTables, SummariseAveragesIntervalsAndSignificanceMarks) {
   EXPECT_THAT(bold, testing::UnorderedElementsAre(testing::Pair(1, 2), testing::Pair(0, 3)));
 }
 
-TEST_F(ComparisonTables, SignificanceMarksIncludeTheLevelItself) {
+TEST_F(ComparisonTables, MarkADifferenceWhosePValueEqualsTheSignificanceLevel) {
   const TextTable table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
   // FT: z is better than y with a p of 0.5, which is what is left of a confidence of 0.5.
   EXPECT_TRUE(std::ranges::any_of(table.emphases, [](const Emphasis& emphasis) {
@@ -92,7 +92,7 @@ TEST_F(ComparisonTables, NeverPrintNegativeZero) {
   EXPECT_EQ(table.rows[0][10], "0.00");
 }
 
-TEST_F(ComparisonTables, JsonContainsFractionsAndSettings) {
+TEST_F(ComparisonTables, JsonContainsFractionalScoresAndTestSettings) {
   const auto json = comparison_json(
       methods, comparisons,
       {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro, .confidence = 0.9});

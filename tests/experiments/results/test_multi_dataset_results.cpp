@@ -56,7 +56,7 @@ TEST(MultiDatasetResults, AreSummarisedByMeanRank) {
   EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{80.00}"));
 }
 
-TEST(MultiDatasetResults, WriteAllTablesAndPairsToFiles) {
+TEST(MultiDatasetResults, CsvAndJsonContainAllTablesAndMethodPairs) {
   const MultiDatasetResults results = small_results();
   EXPECT_EQ(multi_dataset_csv_table(results).rows.size(), 4U);
   const TextTable pairs = multi_dataset_pairs_table(results);
@@ -75,7 +75,7 @@ TEST(MultiDatasetResults, LinkToReportsOnlyIfTheyExist) {
   EXPECT_THAT(multi_dataset_html(results), testing::Not(HasSubstr("s/report.html")));
 }
 
-TEST(MultiDatasetResults, StateThatTestsNeedTwoDataSetsAndMethods) {
+TEST(MultiDatasetResults, ReportTheFriedmanTestOnlyForSeveralDataSets) {
   MultiDatasetResults results = small_results();
   EXPECT_THAT(test_words(results, main_table(results)), HasSubstr("chi-squared 2.00"));
   results.datasets.pop_back();

@@ -35,7 +35,7 @@ const AuditedScore& score_of(const ProtocolAudit& audit, const std::string& eval
   throw std::runtime_error(evaluator + " has no " + measure);
 }
 
-TEST_F(ProtocolAuditOfTwoMethods, ContainsTheScoresOfEachProgram) {
+TEST_F(ProtocolAuditOfTwoMethods, ContainsTheScoresOfEachEvaluationProgram) {
   const ProtocolAudit found = audit();
   EXPECT_THAT(found.methods, ElementsAre("late", "good"));
   EXPECT_EQ(score_of(found, "shapegauge", "FT").values, Eigen::Vector2d(0.5, 1));
@@ -47,7 +47,7 @@ TEST_F(ProtocolAuditOfTwoMethods, ContainsTheScoresOfEachProgram) {
   EXPECT_THAT(score_of(found, "shrec21", "NN").ranks, ElementsAre(1U, 1U));
 }
 
-TEST_F(ProtocolAuditOfTwoMethods, TabulatesScoresOfOneQuantityPerTable) {
+TEST_F(ProtocolAuditOfTwoMethods, TabulatesAMeasureWithColumnsForProgramsWhoseScoresDiffer) {
   const ProtocolAudit found = audit();
   EXPECT_THAT(audited_quantities(found), ElementsAre("NN", "FT", "ST", "mAP", "nDCG"));
   const TextTable table = audit_table(found, "FT", {.percent = true, .decimals = 0});
@@ -67,7 +67,7 @@ TEST_F(ProtocolAuditOfTwoMethods, TabulatesScoresOfOneQuantityPerTable) {
 }
 
 // The labels are those of both files.
-TEST_F(ProtocolAuditOfTwoMethods, WarnsOnceOfAnAnomalyOfTheSharedLabels) {
+TEST_F(ProtocolAuditOfTwoMethods, WarnsOnlyOnceOfASuspectLabelSharedByBothMethods) {
   test::TemporaryFolder folder;
   const std::vector matrices{folder.file("a.csv", "0,1,2\n1,0,3\n2,3,0\n"),
                              folder.file("b.csv", "0,1,4\n1,0,3\n4,3,0\n")};

@@ -248,7 +248,7 @@ TEST_F(DescriptorRuns, StopIfAMethodSupportsNoModel) {
               testing::HasSubstr("signature \"fixed\": none of 9 models can be used; the first is 0: "));
 }
 
-TEST_F(DescriptorRuns, ReportNoPicturesWithoutFields) {
+TEST_F(DescriptorRuns, OmitPicturesFromTheReportWithoutFields) {
   Json document = test::small_configuration(data());
   document["signatures"] = {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
                             {{"name", "again"}, {"rerank", {{"of", "d2"}, {"method", "k_reciprocal"}}}}};

@@ -83,7 +83,7 @@ TEST(EvaluationByRows, MatchesTheWholeMatrixForAnyNumberOfRowsPerBlock) {
   }
 }
 
-TEST(LargestDistance, FromTheFirstModelIsFoundAtAnyIndex) {
+TEST(LargestDistance, FromTheFirstModelIsFoundWhereverTheFarthestModelIs) {
   for (const Eigen::Index far : {1, 3, 5}) {
     Signatures signatures = Signatures::Constant(6, 1, 1);
     signatures(0, 0) = 0;

@@ -42,7 +42,7 @@ TEST(ModelsWithSignature, DistancesAreUnchangedIfAllModelsHaveASignature) {
   EXPECT_EQ(models.spread(between), between);
 }
 
-TEST(ModelsWithSignature, MissingSignaturesAreReplacedByTheFirst) {
+TEST(ModelsWithSignature, MissingSignaturesAreReplacedByTheFirstExistingSignature) {
   const Signatures all{{1, 2}, {3, 4}, {5, 6}, {7, 8}};
   const std::vector<ModelFailure> without{{.model = 0, .message = ""}, {.model = 3, .message = ""}};
   const Signatures expected{{3, 4}, {3, 4}, {5, 6}, {3, 4}};

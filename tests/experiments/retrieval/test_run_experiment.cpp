@@ -60,7 +60,7 @@ TEST_F(RunExperiment, RetrievesClearlyDifferentClassesPerfectly) {
   EXPECT_TRUE(results.failures.empty());
 }
 
-TEST_F(RunExperiment, RetrievesPointClouds) {
+TEST_F(RunExperiment, RetrievesClassesOfPointCloudsPerfectly) {
   for (int i = 0; i < 9; ++i) {
     const fs::path file = data() / fmt::format("T{}.off", i);
     write_off(file, test::random_points(read_shape(file), 1500, static_cast<std::uint64_t>(i)));
@@ -77,7 +77,7 @@ TEST_F(RunExperiment, RetrievesPointClouds) {
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
 }
 
-TEST_F(RunExperiment, DistancesMatchTheComputationStepByStep) {
+TEST_F(RunExperiment, DistancesEqualThoseOfSeparatelyComputedHistograms) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
     const Shape shape = prepare_shape(read_shape(data() / name), {}).shape;
@@ -97,7 +97,7 @@ TEST_F(RunExperiment, ConcatenationHasTheMeanDistanceOfItsInputs) {
   EXPECT_TRUE(both.isApprox(expected, 1e-5));
 }
 
-TEST_F(RunExperiment, DataSetRangeEnclosesTheValuesOfAllShapes) {
+TEST_F(RunExperiment, HistogramRangeOfTheDataSetEnclosesTheValuesOfAllShapes) {
   // With the range fixed to that of the data set, signatures agree to single precision.
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};
@@ -141,7 +141,7 @@ TEST_F(RunExperiment, WritesTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(one, three);
 }
 
-TEST_F(RunExperiment, ReportContainsIntervalsDistancesAndSettings) {
+TEST_F(RunExperiment, ReportContainsConfidenceIntervalsDistanceFunctionsAndSettings) {
   Json document = test::small_configuration(data());
   document["signatures"].push_back({{"name", "d2"}, {"descriptor", {{"type", "d2"}}}});
   document["signatures"].push_back({{"name", "Sum"}, {"sum", {{{"of", "d2"}, {"weight", 0.5}}, {{"of", "both"}}}}});
@@ -173,7 +173,7 @@ TEST_F(RunExperiment, ReportContainsIntervalsDistancesAndSettings) {
   EXPECT_EQ(report["leaks"], Json::array());
 }
 
-TEST_F(RunExperiment, CountsAndReportsTies) {
+TEST_F(RunExperiment, CountsAndReportsTiedDistances) {
   // One-bin histograms of all nine models are equal: all distances tie.
   const Json one_bin{{"name", "one bin"},
                      {"field", {{"type", "cone_sdf"}}},

@@ -135,7 +135,7 @@ TEST_F(WriteResults, WritesNoDistancesIfDisabled) {
   }
 }
 
-TEST_F(WriteResults, ListsShapesWithClassAreaAndSeconds) {
+TEST_F(WriteResults, ListsShapesWithClassAreaAndRunTime) {
   results_.failures.push_back({.id = "7", .message = "it is broken", .file = at("absent.off")});
   write();
   for (std::size_t i = 0; i < names_.size(); ++i) {

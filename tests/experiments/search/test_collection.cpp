@@ -44,7 +44,7 @@ TEST_F(FindCollection, ReadsFoldersRecursively) {
   EXPECT_EQ(found.skipped.folders, 1U);  // the circle
 }
 
-TEST_F(FindCollection, KeepsTheRealPathOfAFolderWithALink) {
+TEST_F(FindCollection, ListsALinkedFolderOnceUnderItsRealPath) {
   std::filesystem::create_directory(at("a"));
   std::filesystem::create_directory_symlink(at("deep/er"), at("a/alias"));
   std::filesystem::create_directory_symlink(at("deep"), at("b"));

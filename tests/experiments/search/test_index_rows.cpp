@@ -52,7 +52,7 @@ void expect_sum_of(const CollectionSum& sum, const OpenIndex& index, const Dista
   }
 }
 
-TEST(IndexRows, HaveThePairwiseDistancesOfEachTerm) {
+TEST(IndexRows, ContainThePairwiseDistancesOfEachSummedSignature) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "bag"}) {
     const OpenIndex index = folder.open(signature);
@@ -71,7 +71,7 @@ TEST(IndexRows, HaveThePairwiseDistancesOfEachTerm) {
   }
 }
 
-TEST(IndexRows, SumOfTermDistancesMatchesThatOfWholeMatrices) {
+TEST(IndexRows, SumByRowEqualsTheSumOfWholeDistanceMatrices) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "mutual ranks", "d2"}) {
     SCOPED_TRACE(signature);
@@ -80,7 +80,7 @@ TEST(IndexRows, SumOfTermDistancesMatchesThatOfWholeMatrices) {
   }
 }
 
-TEST(IndexRows, RankModelsByTheSumOfTheirTermDistances) {
+TEST(IndexRows, YieldTheNearestModelsOfTheWholeDistanceMatrix) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "d2"}) {
     const OpenIndex index = folder.open(signature);

@@ -158,7 +158,7 @@ TEST_F(OpenIndexOfAFolder, DoesNotOverwriteFilesThatAreNotIndexes) {
   }
 }
 
-TEST_F(OpenIndexOfAFolder, IsBoundToItsCollectionEvenIfMoved) {
+TEST_F(OpenIndexOfAFolder, IsRejectedForAnotherCollectionButAcceptedForAMovedOne) {
   Cache cache(folder.at("cache"));
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
@@ -182,7 +182,7 @@ TEST_F(OpenIndexOfAFolder, IsBoundToItsCollectionEvenIfMoved) {
   EXPECT_TRUE(update.rebuilt);
 }
 
-TEST_F(OpenIndexOfAFolder, IsReadWithoutTheModelsIfNotUpdated) {
+TEST_F(OpenIndexOfAFolder, CanBeReadWithoutUpdateAfterTheModelsAreDeleted) {
   folder.open();
   std::filesystem::remove_all(folder.models());
   EXPECT_EQ(open_index_without_update(folder.method(), folder.models(), folder.index()).contents.models.size(), 9U);
@@ -193,7 +193,7 @@ TEST_F(OpenIndexOfAFolder, IsReadWithoutTheModelsIfNotUpdated) {
               HasSubstr("is damaged"));
 }
 
-TEST_F(OpenIndexOfAFolder, KeepsTheFileIfAnUpdateIsInterrupted) {
+TEST_F(OpenIndexOfAFolder, IsCompletedFromTheCacheAfterAnInterruption) {
   Cache cache(folder.at("cache"));
   std::atomic<int> asked = 0;
   const RunControl stops{.threads = 1, .interrupted = [&] { return ++asked > 6; }};
@@ -218,7 +218,7 @@ TEST_F(OpenIndexOfAFolder, StaysValidUnderConcurrentUpdates) {
   EXPECT_THAT(update.notes, IsEmpty());
 }
 
-TEST_F(OpenIndexOfAFolder, AnswersQueriesIfTheFileCannotBeWritten) {
+TEST_F(OpenIndexOfAFolder, IsUsableIfItsFileCannotBeWritten) {
   Cache none;
   IndexUpdate update;
   const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("absent") / "index", {}, none, update);

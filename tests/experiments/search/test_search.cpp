@@ -39,7 +39,7 @@ class Search : public testing::Test {
   const SearchedFolder folder;
 };
 
-TEST_F(Search, MemberAsQueryHasTheDistancesOfARun) {
+TEST_F(Search, QueryFromTheCollectionHasTheDistancesOfARetrievalRun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   for (const char* signature : {"own range", "range of all", "both", "bag", "d2", "median", "local"}) {
     SCOPED_TRACE(signature);
@@ -54,7 +54,7 @@ TEST_F(Search, MemberAsQueryHasTheDistancesOfARun) {
   }
 }
 
-TEST_F(Search, RerankedMemberAsQueryHasTheDistancesOfARun) {
+TEST_F(Search, RerankedQueryFromTheCollectionHasTheDistancesOfARetrievalRun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   OpenIndex index = folder.open();
   for (Eigen::Index i = 0; i < 9; ++i) {
@@ -63,7 +63,7 @@ TEST_F(Search, RerankedMemberAsQueryHasTheDistancesOfARun) {
   }
 }
 
-TEST_F(Search, CopyOfAMemberFindsTheMemberFirst) {
+TEST_F(Search, CopyOfACollectionMemberFindsThatMemberFirst) {
   OpenIndex index = folder.open();
   std::filesystem::copy_file(folder.models() / "T4.off", folder.at("copy.off"));
   const SearchAnswer member = folder.answer(index, folder.models() / "T4.off");
@@ -78,7 +78,7 @@ TEST_F(Search, CopyOfAMemberFindsTheMemberFirst) {
   }
 }
 
-TEST_F(Search, ExternalQueryHasTheDistancesOfARun) {
+TEST_F(Search, ExternalQueryHasTheDistancesItHasAsACollectionMember) {
   OpenIndex index = folder.open("d2");  // features independent of other shapes
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   const SearchAnswer answer = folder.answer(index, folder.at("query.off"));

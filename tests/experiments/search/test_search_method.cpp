@@ -15,7 +15,7 @@ using test::SearchedFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(SearchMethodOfAConfiguration, MatchesTheRecommendedConfigurationFiles) {
+TEST(SearchMethodOfAConfiguration, RecommendedMethodsMatchTheShippedConfigurationFiles) {
   for (const auto& [recommended, terms] :
        {std::pair(RecommendedMethod::any, 5U), std::pair(RecommendedMethod::articulated, 3U)}) {
     const std::string file = recommended_file(recommended);
@@ -41,7 +41,7 @@ TEST(SearchMethodOfAConfiguration, RejectsRankFusionsAndRerankedSignatures) {
   EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
 }
 
-TEST(SearchMethodOfAConfiguration, KeyChangesWithEverySettingThatAffectsResults) {
+TEST(SearchMethodOfAConfiguration, IndexKeyChangesOnlyWithSettingsThatAffectResults) {
   const SearchedFolder folder;
   const std::string key = folder.method().key();
   nlohmann::json document = folder.configuration();

@@ -15,7 +15,7 @@ MappedBytes in_memory(std::string bytes) {
   return {.memory = stored, .bytes = *stored};
 }
 
-TEST(ShapeIndex, IsDecodedAsEncoded) {
+TEST(ShapeIndex, IsRestoredUnchangedWhenDecoded) {
   ShapeIndex index;
   index.collection = "/models";
   index.models = {{.id = "a", .path = "b/a", .bytes = 3, .modified = -4, .sha256 = "12"}};
@@ -52,7 +52,7 @@ TEST(ShapeIndex, IsDecodedAsEncoded) {
   EXPECT_EQ(fault, IndexFault::other_method);
 }
 
-TEST(ShapeIndex, ReadsTablesInPlaceUntilTheyAreCopied) {
+TEST(ShapeIndex, ReadsTablesFromTheMappedFileUntilCopiedToMemory) {
   ShapeIndex index;
   index.tables.emplace_back(Signatures{{1, 2}});
   const std::string key(64, 'k');

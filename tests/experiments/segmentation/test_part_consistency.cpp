@@ -40,14 +40,14 @@ TEST(PartConsistency, ComparesShapesWithinClassesAndAveragesOverClasses) {
   EXPECT_THAT(table.rows[2], testing::ElementsAre("m", "mean", "1.500", "1.000", "0.000", "0.500"));
 }
 
-TEST(PartConsistency, MedianOfAnEvenCountIsBetweenTheMiddleTwo) {
+TEST(PartConsistency, MedianPartCountOfTwoShapesIsTheirMean) {
   const SegmentationResults results = results_of({0, 0}, {{1.0}, {0.4, 0.3, 0.2, 0.1}});
   EXPECT_EQ(consistency_table(results).rows[0][2], "2.500");
 }
 
 TEST(PerturbationTable, HasOneRowPerMethodWithPerturbations) {
   SegmentationResults results = results_of({0, 0, 0}, {{1.0}, {1.0}, {1.0}});
-  for (std::size_t i = 0; i < 3; ++i) results.shapes[i].moved = {std::vector{0.1, 0.5, 0.3}[i]};
+  for (std::size_t i = 0; i < 3; ++i) results.shapes[i].perturbation_errors = {std::vector{0.1, 0.5, 0.3}[i]};
   EXPECT_TRUE(perturbation_effect_table(results).rows.empty());
   results.experiment.methods[0].perturbations.push_back({.values = ParameterValues({})});
   ASSERT_EQ(perturbation_effect_table(results).rows.size(), 1U);

@@ -121,7 +121,7 @@ TEST(SegmentationVersions, IncludeTheVersionsOfSdfsSamplesAndThePartModel) {
   }
 }
 
-TEST_F(SegmentationRun, WritesTheSameListedFilesOnAnyNumberOfThreads) {
+TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreads) {
   std::map<std::string, std::string> first;
   for (const int threads : {1, 2}) {
     Cache cache;
@@ -151,12 +151,12 @@ TEST_F(SegmentationRun, ComparesPerturbedShapesWithTheOriginalShapes) {
   const SegmentationResults results = cut(run);
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
-  EXPECT_TRUE(std::isnan(shape.moved[0]));
-  EXPECT_GT(shape.moved[1], 0);  // pieces become disconnected, hence parts
-  EXPECT_EQ(shape.moved[2], 0);
-  EXPECT_EQ(shape.moved[3], 0);  // two clouds, transferred back to the triangles
+  EXPECT_TRUE(std::isnan(shape.perturbation_errors[0]));
+  EXPECT_GT(shape.perturbation_errors[1], 0);  // pieces become disconnected, hence parts
+  EXPECT_EQ(shape.perturbation_errors[2], 0);
+  EXPECT_EQ(shape.perturbation_errors[3], 0);  // two clouds, transferred back to the triangles
   EXPECT_EQ(results.scores.errors[1][0].rand_index,
-            shape.moved[1]);  // human segmentations equal the best cut: two balls
+            shape.perturbation_errors[1]);  // human segmentations equal the best cut: two balls
   const TextTable table = perturbation_effect_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[1][0], "turned");
@@ -208,7 +208,7 @@ constexpr const char* box_of_quads =
     "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"
     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
-TEST_F(SegmentationRun, WritesOneRowPerPolygonOfTheFile) {
+TEST_F(SegmentationRun, AssignsOnePartToEachPolygonOfTheFile) {
   test::write_text(root() / "off/22.off", box_of_quads);
   for (const char* const person : {"a", "b"}) {
     test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
@@ -231,7 +231,7 @@ TEST_F(SegmentationRun, StopsAtAnInvalidShapeOrSkipsAndNamesItOnRequest) {
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
 }
 
-TEST_F(SegmentationRun, TransfersPartsOfPreparedShapesToTheFile) {
+TEST_F(SegmentationRun, SegmentsDenoisedShapesIfPreparationIsRequested) {
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(two_balls(3), {.amplitude = 0.008}, random);
   std::filesystem::create_directories(at("shapes/ball"));
@@ -260,7 +260,7 @@ TEST_F(SegmentationRun, TransfersPartsOfPreparedShapesToTheFile) {
   EXPECT_EQ(denoised[1], denoised[0]) << "parts do not depend on the scale before the preparation";
 }
 
-TEST_F(SegmentationRun, NotesCachedShapesThatAreNotPerturbedAsRequested) {
+TEST_F(SegmentationRun, NotesShapesNotPerturbedAsRequestedAlsoFromTheCache) {
   const SegmentationExperiment run =
       experiment({{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}});
   for (const char* const again : {"computed", "cached"}) {
@@ -294,7 +294,7 @@ TEST_F(SegmentationRun, NotesShapesWithUnclosedGapsReadFromTheCache) {
   }
 }
 
-TEST_F(SegmentationRun, ReportsInputsThatChangedSinceTheReplayedRunBeforeItRuns) {
+TEST_F(SegmentationRun, DetectsInputsThatChangedSinceARecordedRun) {
   const nlohmann::json document{{"name", "balls"},
                                 {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
                                 {"on_error", "skip"},
@@ -320,7 +320,7 @@ TEST_F(SegmentationRun, ReportsInputsThatChangedSinceTheReplayedRunBeforeItRuns)
                                    "the files of 1 model that failed in the recorded run were not recorded"));
 }
 
-TEST_F(SegmentationRun, ManifestListsTheFileOfClasses) {
+TEST_F(SegmentationRun, ManifestContainsTheHashOfTheClassificationFile) {
   test::write_text(at("shapes/test.cla"), "PSB 1\n1 1\n\nballs 0 1\n0\n");
   write_off(at("shapes/T0.off"), two_balls());
   const auto experiment_on = [&](const nlohmann::json& dataset) {

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(WeightedQuantile, IsTheSmallestValueThatReachesTheShareOfWeight) {
+TEST(WeightedQuantile, IsTheSmallestValueWhoseCumulativeWeightReachesTheFraction) {
   const Eigen::VectorXd values = Eigen::Vector4d(7, 1, 5, 3);
   const Eigen::VectorXd once = Eigen::VectorXd::Ones(4);
   EXPECT_EQ(weighted_quantile(values, once, 0.5), 3);
@@ -52,7 +52,7 @@ TEST(NormalErrors, AreTheAnglesToTheTrueNormals) {
   EXPECT_NEAR(errors.median, 5.729578, rounding);
 }
 
-TEST(NormalErrors, OfReversedNormalsAre180DegreesOnlyIfSidesMatter) {
+TEST(NormalErrors, OfReversedNormalsAre180DegreesOnlyIfOrientationCounts) {
   const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   const TrueNormals truth(box);
@@ -145,7 +145,7 @@ TEST(LocatedValues, ExcludeMissingValuesAndUseTheUnitsOfTheFile) {
   EXPECT_EQ(result.points(2, 0), 6);
 }
 
-TEST(LocatedValues, AreScaledByTheirDimension) {
+TEST(LocatedValues, LengthsAndAreasAreScaledToTheUnitsOfTheFile) {
   Samples samples;
   samples.points = line().points;
   samples.weights = Eigen::VectorXd::Ones(10);

@@ -96,7 +96,7 @@ TEST_F(ComparisonsThroughCache, RecomputeAllShapesIfPreparationFieldsOrHistogram
   EXPECT_EQ(misses(), 3U);
 }
 
-TEST_F(ComparisonsThroughCache, StoreRunTimesPerNumberOfThreads) {
+TEST_F(ComparisonsThroughCache, RecomputeAllShapesForAnotherNumberOfThreads) {
   EXPECT_EQ(misses(2), 3U);
   EXPECT_EQ(misses(2), 0U);
 }
@@ -109,7 +109,7 @@ TEST_F(ComparisonsThroughCache, RecomputeNoShapesIfOnlyNamesChange) {
   EXPECT_EQ(misses(), 0U);
 }
 
-TEST_F(ComparisonsThroughCache, IdentifyGeneratedShapesByTheirDescription) {
+TEST_F(ComparisonsThroughCache, RecomputeGeneratedShapesOnlyIfTheirDescriptionChanges) {
   document["shapes"][2].erase("file");
   document["shapes"][2]["generate"] = {{"class", "bracket"}, {"faces", 1000}};
   EXPECT_EQ(misses(), 1U);

@@ -211,7 +211,7 @@ TEST_F(RunComparison, ComparesACloudWithAMesh) {
 }
 
 /// The orientation of normals of an unoriented cloud is arbitrary: compares lines only.
-TEST_F(RunComparison, SideOfNormalsStoredInACloudCountsAsError) {
+TEST_F(RunComparison, NormalErrorsOfAnUnorientedCloudIgnoreOrientation) {
   Json changed = document();
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
   changed["signatures"].erase(1);

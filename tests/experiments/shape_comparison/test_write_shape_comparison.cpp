@@ -44,9 +44,9 @@ class WriteShapeComparison : public test::FolderTest {
             ValueErrors{.median = 0.01, .percentile_90 = 0.02, .relative_median = 0.3, .relative_percentile_90 = 0.4},
         .offset_normals = NormalErrors{.mean = 1, .median = 2, .percentile_90 = 3},
         .shape_normals = NormalErrors{.mean = 4, .median = 5, .percentile_90 = 6}};
-    for (auto* field : {&results_.shapes[0].fields[0], &results_.shapes[0].fields[1], &results_.shapes[1].fields[1]}) {
-      field->samples = 10;
-    }
+    results_.shapes[0].fields[0].samples = 10;
+    results_.shapes[0].fields[1].samples = 10;
+    results_.shapes[1].fields[1].samples = 10;
     const Signatures first{{0.25, 0.75}, {1, 0}};
     const Signatures second{{0, 0, 0, 1}, {0.5, 0.5, 0, 0}};
     // The second signature is of the first field, so that indices of signatures and of fields differ.

@@ -60,7 +60,7 @@ void PrintTo(const Recorded& recorded, std::ostream* stream) { *stream << record
 
 class RecordedFieldVersions : public testing::TestWithParam<Recorded> {};
 
-TEST_P(RecordedFieldVersions, ValuesChangeOnlyWithTheVersion) {
+TEST_P(RecordedFieldVersions, FieldValuesMatchThoseRecordedForTheirVersion) {
   const Field field = read_field(GetParam().settings);
   EXPECT_EQ(nlohmann::json(field.versions), GetParam().versions);
   const std::vector<Shape> all = shapes();
@@ -210,7 +210,7 @@ std::vector<double> numbers_of(const DescriptorChoice& choice) {
   return numbers;
 }
 
-TEST_P(RecordedDescriptorVersions, ValuesChangeOnlyWithTheVersion) {
+TEST_P(RecordedDescriptorVersions, FeaturesMatchThoseRecordedForTheDescriptorVersion) {
   const DescriptorChoice choice = make_descriptor(GetParam().settings);
   EXPECT_EQ(choice.descriptor.version, GetParam().version);
   const std::vector<double> found = numbers_of(choice);
@@ -309,7 +309,7 @@ const std::vector<RecordedMeasure> measure_records{{"NN", 1, 0.375},
                                                    {"mAP@N", 1, 0.489930555556},
                                                    {"nDCG@N", 1, 0.642023556961}};
 
-TEST(MeasureVersions, ValuesChangeOnlyWithTheVersionOfMeasures) {
+TEST(MeasureVersions, ScoresMatchThoseRecordedForEachMeasureVersion) {
   const std::vector<double> positions{0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9, 5.6, 2.6};
   const std::vector<int> labels{0, 0, 0, 1, 1, 1, 1, 0, 2};
   const DistanceMatrix distances = DistanceMatrix::NullaryExpr(9, 9, [&](Eigen::Index i, Eigen::Index j) {

@@ -111,7 +111,7 @@ TEST_F(RunsThroughCache, WriteTheSameBytesWithAPartialCache) {
   EXPECT_EQ(files_of(run(document())), fresh);
 }
 
-TEST_F(RunsThroughCache, DrawPicturesFromCachedValues) {
+TEST_F(RunsThroughCache, DrawPicturesFromCachedFieldValues) {
   for (const char* signature : {"fixed", "offset", "nine rays"}) {
     SCOPED_TRACE(signature);
     Json pictured = document();
@@ -127,7 +127,7 @@ TEST_F(RunsThroughCache, DrawPicturesFromCachedValues) {
   }
 }
 
-TEST_F(RunsThroughCache, MakeViewsOnceFromCachedValues) {
+TEST_F(RunsThroughCache, ComputeModelViewsOnceFromCachedFieldValues) {
   const ExperimentResults first = run(document());
   ASSERT_EQ(first.views.size(), 9U);
   ASSERT_EQ(first.viewed.size(), 3U) << "one a field";
@@ -144,7 +144,7 @@ TEST_F(RunsThroughCache, MakeViewsOnceFromCachedValues) {
   EXPECT_EQ(views.computed, 0U);
 }
 
-TEST_F(RunsThroughCache, MakeNoViewsIfDisabledOrWithoutPictures) {
+TEST_F(RunsThroughCache, MakeNoModelViewsIfDisabledOrWithoutPictures) {
   for (const char* setting : {"views", "pictures"}) {
     Json without = document();
     without["report"][setting] = false;
@@ -163,7 +163,7 @@ TEST_F(RunsThroughCache, ReportAnAutomaticOffsetReadFromTheCache) {
   EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
 
-TEST_F(RunsThroughCache, ReuseFieldsForOtherBinsRangesAndSmoothing) {
+TEST_F(RunsThroughCache, ReuseFieldsForOtherHistogramBinsRangesAndSmoothing) {
   run(document());
   Json changed = document();
   changed["signatures"][0]["histogram"]["range"]["fixed"] = {0, 0.5};

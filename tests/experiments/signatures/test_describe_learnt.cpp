@@ -121,7 +121,7 @@ TEST(DescribeWithCodebook, IgnoresModelsWithoutTheField) {
   EXPECT_EQ(feature_of(models, 2), 1);
 }
 
-TEST(DescribeWithCodebook, OnErrorSkipOmitsModelsThatCannotBeDescribed) {
+TEST(DescribeWithCodebook, OmitsUndescribableModelsIfErrorsAreSkipped) {
   const std::map<std::size_t, float> values{{0, 1}, {1, 500}, {2, 3}, {5, 200}};
   DescribedModels models = models_of(values);
   const Outcome outcome = described(models, mean_configuration(OnError::skip));

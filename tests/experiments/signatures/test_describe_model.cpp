@@ -18,7 +18,7 @@ SignatureConfiguration signature(const nlohmann::json& field, HistogramRange ran
           .parts = {}};
 }
 
-TEST(DistinctFields, MergeEqualSettingsWithAndWithoutDefaults) {
+TEST(DistinctFields, MergeFieldsWhoseSettingsAreEqualAfterFillingInDefaults) {
   const std::vector<SignatureConfiguration> signatures{
       signature({{"type", "cone_sdf"}}, HistogramRange::fixed),
       signature({{"type", "cone_sdf"}, {"rays", 26}}, HistogramRange::per_shape),

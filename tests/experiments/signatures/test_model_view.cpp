@@ -43,7 +43,7 @@ TEST(ModelView, KeepsSmallMeshesUnchanged) {
   EXPECT_EQ(view["fields"][0]["high"], samples.points.col(0).maxCoeff());
 }
 
-TEST(ModelView, HasFewerFacesForMoreModels) {
+TEST(ModelView, HasFewerFacesIfAReportShowsMoreModels) {
   EXPECT_EQ(faces_of_views(1), faces_of_views(60));
   EXPECT_EQ(faces_of_views(600), 400);
   EXPECT_GT(faces_of_views(100), faces_of_views(300));

@@ -73,7 +73,7 @@ TEST(FieldRanges, EncloseTheValuesOfModelsThatHaveTheField) {
   EXPECT_EQ(ranges[0].high, 5);
 }
 
-TEST(HistogramRanges, AreTheRangeOfTheShapeOfTheDataSetOrAFixedOne) {
+TEST(HistogramRanges, CoverOneShapeOrTheWholeDataSetOrAFixedInterval) {
   const ModelDescription low = model_with_range({.low = -1, .high = 2});
   const ModelDescription high = model_with_range({.low = 0, .high = 5});
   const auto highs = [&](HistogramRange range) {

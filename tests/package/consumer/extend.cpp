@@ -125,7 +125,7 @@ void add_layout() {
              }
              return dataset;
            },
-       .usual_classification = ""});
+       .default_classification = ""});
 }
 
 void add_rerank_method() {

@@ -51,7 +51,7 @@ TEST(ChartAxis, MapsValuesLinearlyOrLogarithmically) {
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 1, .high = 10000, .logarithmic = true}.part(10)), 0.25);
 }
 
-TEST(MethodStyle, HasTheColoursOfReportsAndIsDistinctPerMethod) {
+TEST(MethodStyle, UsesReportColoursAndDiffersBetweenMethods) {
   EXPECT_EQ(method_look(0).colour, method_colour(0));
   EXPECT_THAT(method_look(0).dashes, ElementsAre());
   EXPECT_THAT(method_look(1).dashes, ElementsAre(7, 3));

@@ -110,7 +110,7 @@ TEST(BagOfFeatures, IgnoresSamplesWithMissingValues) {
   EXPECT_EQ(found, (Eigen::Vector3f{0, 0.5F, 0.5F}));
 }
 
-TEST(BagOfFeatures, IsAvailableAsADescriptorThatLearns) {
+TEST(BagOfFeatures, RegisteredDescriptorEqualsTheFunctionsCalledDirectly) {
   const std::vector<ScalarField> fields = clustered(corners, 1);
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, fields}};

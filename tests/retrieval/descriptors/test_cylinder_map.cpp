@@ -60,7 +60,7 @@ TEST(CylinderMap, OfABoxGivesTheDistanceToItsNearestSide) {
   }
 }
 
-TEST(CylinderMap, OfAnEllipsoidMatchesItsSection) {
+TEST(CylinderMap, DistancesOfAnEllipsoidMatchItsCrossSections) {
   Shape ellipsoid = test::sphere(1, 6);
   ellipsoid.vertices.col(0) *= 2;
   ellipsoid.vertices.col(2) *= 3;

@@ -13,7 +13,7 @@ double distance_of_d2(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(D2Descriptor, OfASphereMatchesItsDistanceDensity) {
+TEST(D2Descriptor, OfASphereMatchesTheTheoreticalDistanceDistribution) {
   const Eigen::VectorXf found = d2(test::sphere(2, 4), {.points = 2000, .bins = 30, .longest = 1.5});
   // The fraction of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
   for (Eigen::Index bin = 0; bin < found.size(); ++bin) {
@@ -34,7 +34,7 @@ TEST(D2Descriptor, HardlyChangesWithMotionScaleAndMeshing) {
   EXPECT_GT(other_shape, 3 * other_mesh);
 }
 
-TEST(D2Descriptor, UsesThePointsOfClouds) {
+TEST(D2Descriptor, OfAPointCloudIsCloseToThatOfItsMesh) {
   const Shape ball = test::sphere(1, 4);
   EXPECT_LT(distance_of_d2(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
 }
@@ -55,7 +55,7 @@ TEST(D2Descriptor, DoesNotDependOnTheDensityOfACloud) {
   EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.15);
 }
 
-TEST(D2Descriptor, RejectsOptionsOutOfRangeAndSinglePositions) {
+TEST(D2Descriptor, RejectsOptionsOutOfRangeAndCoincidentPoints) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(d2(ball, {.points = 1}), InputError);
   EXPECT_THROW(d2(ball, {.bins = 0}), InputError);

@@ -30,7 +30,7 @@ TEST(Descriptors, HaveUniqueNamesAndValidDefaults) {
   }
 }
 
-TEST(Descriptors, DescribeAShapeAtDistanceZeroFromItself) {
+TEST(Descriptors, GiveAShapeTheDistanceZeroToItself) {
   const Shape shape = test::capsule(0.3, 1, 16, 16);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields = {{samples.points.col(0), samples.weights},
@@ -61,7 +61,7 @@ TEST(Descriptors, RejectNonFiniteFeatures) {
   EXPECT_THROW(features(), InputError);
 }
 
-TEST(Descriptors, ChangeWithEachOfTheirSettings) {
+TEST(Descriptors, RegisteredD2UsesTheGivenNumberOfBins) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptors().at("d2");
   DescriptorSettings settings = default_settings(one);
@@ -76,7 +76,7 @@ TEST(Descriptors, RejectOptionsOutOfRangeAndUnknownNames) {
   EXPECT_EQ(descriptors().find("d3"), nullptr);
 }
 
-TEST(Descriptors, RejectIncompleteEntries) {
+TEST(Descriptors, RejectRegistrationWithoutADistanceFunction) {
   Descriptor one = descriptors().at("d2");
   one.name = "test_without_distance";
   one.distance = nullptr;
@@ -99,7 +99,7 @@ TEST(Descriptors, RefuseToDescribeBeforeLearning) {
   EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 
-TEST(DescriptorDistances, OfAMatrixMatchThoseOfEachPair) {
+TEST(DescriptorDistances, OfAFeatureMatrixMatchTheDistancesOfEachPairOfRows) {
   Signatures features{{0, 0}, {1, 2}, {4, 0}};
   const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);
   EXPECT_EQ(matrix, (DistanceMatrix{{0, 3, 4}, {3, 0, 5}, {4, 5, 0}}));

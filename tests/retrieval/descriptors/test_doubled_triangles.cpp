@@ -34,7 +34,7 @@ TEST_P(DescriptorsOfDoubledTriangles, MatchThoseOfTheMeshWithoutDuplicates) {
   expect_same(GetParam().shape, [](const Shape& shape) { return panorama(shape); });
 }
 
-TEST_P(DescriptorsOfDoubledTriangles, MatchThoseOfTheVoxelisedMeshWithoutDuplicates) {
+TEST_P(DescriptorsOfDoubledTriangles, SphericalHarmonicsOfVoxelsMatchTheMeshWithoutDuplicates) {
   expect_same(GetParam().shape, [](const Shape& shape) {
     return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5, .voxels = true});
   });

@@ -35,7 +35,7 @@ TEST(DominantEigenvalues, AreTheEigenvaluesOfLargestMagnitude) {
 
 // By the Funk-Hecke formula the operator whose kernel is the distance on the unit sphere has the eigenvalues
 // 2 pi int arccos(t) P_l(t) dt, each 2 l + 1 times: relative to l = 0 they are 1/4, 0, 1/64, 0, 1/256, ...
-TEST(GeodesicSpectrum, OfASphereMatchesTheDistanceKernel) {
+TEST(GeodesicSpectrum, OfASphereMatchesTheAnalyticEigenvalues) {
   const Eigen::VectorXf found = spectrum_of(test::sphere(2, 5));
   for (Eigen::Index k = 0; k < 3; ++k) EXPECT_NEAR(found[k], std::log(1.0 / 4), 0.03) << k;
   for (Eigen::Index k = 3; k < 10; ++k) EXPECT_NEAR(found[k], std::log(1.0 / 64), 0.15) << k;
@@ -48,7 +48,7 @@ TEST(GeodesicSpectrum, ChangesNeitherWithScaleNorWithMotion) {
   EXPECT_LT((spectrum_of(shape) - spectrum_of(other)).cwiseAbs().mean(), 0.03);
 }
 
-TEST(GeodesicSpectrum, DescribesClouds) {
+TEST(GeodesicSpectrum, OfAPointCloudIsCloseToThatOfItsMesh) {
   const Shape shape = test::capsule(0.3, 2, 24, 30);
   EXPECT_LT((spectrum_of(shape) - spectrum_of(test::random_points(shape, 10000, 1))).cwiseAbs().mean(), 0.05);
 }
@@ -60,7 +60,7 @@ TEST(GeodesicSpectrum, RepeatsTheLastEigenvalueForMissingEigenvalues) {
   EXPECT_LT(found.cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST(GeodesicSpectrum, IsTheSameWithASharedProxy) {
+TEST(GeodesicSpectrum, DoesNotChangeWithASharedSurfaceProxy) {
   const Shape shape = test::capsule(0.3, 2, 16, 16);
   const Descriptor& one = descriptors().at("geodesic_spectrum");
   ProxySource shared(shape);
@@ -72,7 +72,7 @@ TEST(GeodesicSpectrum, IsTheSameWithASharedProxy) {
 
 TEST(GeodesicSpectrum, RejectsShapesWithoutArea) { EXPECT_THROW(spectrum_of(Shape{}), InputError); }
 
-TEST(ShapeDna, OnTheProxyIsCloseToTheMesh) {
+TEST(ShapeDna, OfTheSurfaceProxyIsCloseToThatOfTheMesh) {
   const Shape shape = test::torus(1, 0.4, 40, 100);
   ProxySource source(shape);
   const Eigen::VectorXf on_mesh = shape_dna(shape);

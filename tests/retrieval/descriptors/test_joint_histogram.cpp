@@ -66,7 +66,7 @@ TEST(JointHistogram, SquareRootOptionGivesTheRootsOfThePlainHistogram) {
   EXPECT_LT((roots.cwiseAbs2() - joint_histogram(fields, axes)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(JointHistogram, DividedByTheMeanIsScaleInvariant) {
+TEST(JointHistogram, WithValuesDividedByTheirMeanIsScaleInvariant) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 8}, {.bins = 8, .divide_by_mean = true, .low = 0.5, .high = 2}};
   const Eigen::VectorXf before = joint_histogram(fields, axes);
@@ -76,7 +76,7 @@ TEST(JointHistogram, DividedByTheMeanIsScaleInvariant) {
   EXPECT_NE(joint_histogram(fields, axes), before);
 }
 
-TEST(JointHistogram, UsesTheRangeOfEachShapeIfPerShape) {
+TEST(JointHistogram, UsesTheRangeOfEachShapeOnRequest) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 8, .per_shape = true}, {.bins = 8}};
   const Eigen::VectorXf before = joint_histogram(fields, axes);
@@ -105,7 +105,7 @@ TEST(JointHistogram, CountsValuesBeyondTheRangeInTheOuterBins) {
   EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0, 0.5F, 0.5F, 0}));
 }
 
-TEST(JointHistogram, UsesTheRangeOfTheDataSetAsADescriptor) {
+TEST(JointHistogram, UsesTheValueRangeOfTheDataSetOnRequest) {
   const std::vector<ScalarField> small = all_pairs(random_values(50, 1), random_values(40, 2));
   std::vector<ScalarField> large = small;
   large[0].values *= 3;
@@ -124,7 +124,7 @@ TEST(JointHistogram, UsesTheRangeOfTheDataSetAsADescriptor) {
   EXPECT_EQ(joint.describe(inputs[0], learnt, settings), joint_histogram(small, expected));
 }
 
-TEST(JointHistogram, OfAFieldConstantUpToRoundingFillsOneBin) {
+TEST(JointHistogram, DoesNotChangeIfAConstantFieldVariesByRounding) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const Shape none;
   const Descriptor& joint = descriptors().at("joint_histogram");
@@ -187,7 +187,7 @@ TEST(JointHistogram, RejectsMismatchedFieldsAndAxesAndOptionsOutOfRange) {
   EXPECT_THROW(joint_histogram(other, axes), ArgumentError);
 }
 
-TEST(JointHistogram, RangeInMeansUsesTheWeightedMean) {
+TEST(JointHistogram, RangeOfValuesDividedByTheMeanUsesTheWeightedMean) {
   const ScalarField field{Eigen::Vector2d(1, 3), Eigen::Vector2d(3, 1)};  // mean 1.5
   const Interval range = joint_range(field, true);
   EXPECT_DOUBLE_EQ(range.low, 1 / 1.5);

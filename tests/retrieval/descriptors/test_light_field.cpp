@@ -36,7 +36,7 @@ TEST(LightFieldDescriptor, RotatedShapeIsMuchCloserThanOtherShapes) {
   }
 }
 
-TEST(LightFieldDescriptor, DoesNotChangeUnderRotationsOfTheDodecahedron) {
+TEST(LightFieldDescriptor, HardlyChangesUnderRotationsThatPermuteItsViews) {
   // By a third of a turn about a vertex: a set's views are permuted.
   const Shape bar = test::box({1, 2, 4}, 2);
   const Eigen::Matrix3d third =
@@ -48,7 +48,7 @@ TEST(LightFieldDescriptor, DoesNotChangeUnderRotationsOfTheDodecahedron) {
   EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance_of_light_fields(before, after));
 }
 
-TEST(LightFieldDescriptor, RendersASphereAsDiscs) {
+TEST(LightFieldDescriptor, OfASphereHasFeaturesNearZero) {
   const Eigen::VectorXf found = light_field(test::sphere(3, 4));
   ASSERT_EQ(found.size(), 4500);
   EXPECT_LE(found.maxCoeff(), 10);
@@ -92,7 +92,7 @@ TEST(LightFieldDescriptor, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   }
 }
 
-TEST(LightFieldDescriptor, StoresTheRoundedFeaturesOfTheFirstViewFirst) {
+TEST(LightFieldDescriptor, BeginsWithTheRoundedFeaturesOfTheFirstView) {
   // A box whose corners are on the unit sphere, seen along the first vertex of the dodecahedron.
   const Shape box = test::box(Eigen::Vector3d(1, 2, 4) * 2 / std::sqrt(21.0), 1);
   const Eigen::Matrix3d rotation = rotation_between({1, 1, 1}, Eigen::Vector3d::UnitZ());

@@ -42,7 +42,7 @@ double distance_to_others() {
   return nearest;
 }
 
-TEST(PanoramaDescriptor, FeaturesMatchTheDefinitionByFourierMagnitudes) {
+TEST(PanoramaDescriptor, FourierFeaturesMatchADirectFourierTransform) {
   const PanoramaOptions options = {.frequencies = 3};
   // A box along x is its own principal pose, except for signs.
   const Shape box = test::box({4, 2, 1}, 2);
@@ -118,7 +118,7 @@ Eigen::VectorXf features_of(const Eigen::Vector4f& fourier, float wavelets) {
   return features;
 }
 
-TEST(PanoramaDescriptor, DistanceIsThatOfTheCloserPose) {
+TEST(PanoramaDescriptor, DistanceIsTheMinimumOverTheTwoPoses) {
   const Eigen::VectorXf a = features_of({1, 2, 3, 4}, 1);
   const Eigen::VectorXf b = features_of({2, 4, 3, 2}, 1);
   EXPECT_EQ(distance_of_panoramas(a, b), 2);

@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(ShapeDna, OfASphereMatchesItsEigenvalues) {
+TEST(ShapeDna, OfASphereMatchesTheAnalyticEigenvalues) {
   const Eigen::VectorXf found = shape_dna(test::sphere(3, 4), {.eigenvalues = 15, .divide_by_rank = false});
   Eigen::Index k = 0;
   for (int l = 1; l <= 3; ++l) {

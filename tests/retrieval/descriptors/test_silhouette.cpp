@@ -51,13 +51,13 @@ TEST(Silhouette, OfASphereIsADisc) {
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
 }
 
-TEST(Silhouette, ShowsThinParts) {
+TEST(Silhouette, OfAThinTriangleCoversOnePixel) {
   const Shape needle{.vertices = Points{{0.111, 0.2, 0}, {0.1111, 0.2, 0}, {0.111, 0.2001, 0}},
                      .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(covered(silhouette_of(needle, Eigen::Matrix3d::Identity())), 1U);
 }
 
-TEST(Silhouette, CoversPixelsWithACentreOrCorner) {
+TEST(Silhouette, CoversPixelsCentredInATriangleOrContainingItsCorner) {
   // Compared with a test of each pixel, for corners at integer pixel positions.
   RandomNumbers random(1);
   for (int round = 0; round < 10; ++round) {
@@ -94,7 +94,7 @@ TEST(SilhouetteFeatures, OfTheFullDiscAreZero) {
   for (std::size_t k = 0; k < silhouette_feature_count; ++k) EXPECT_LT(features[k], 0.02) << k;
 }
 
-TEST(SilhouetteFeatures, OfASmallerDiscAreTheZernikeMomentsOfItsRadius) {
+TEST(SilhouetteFeatures, OfADiscMatchItsAnalyticZernikeMoments) {
   const double r = 0.6;
   const auto features =
       SilhouetteFeatures(pixels)(image_of([&](double x, double y) { return x * x + y * y <= r * r; }));
@@ -129,7 +129,7 @@ TEST(SilhouetteFeatures, OutlineOfASquareHasOnlyFourfoldFourierCoefficients) {
   EXPECT_NEAR(coefficient(4), 0.0786, 0.01);
 }
 
-TEST(SilhouetteFeatures, UseTheLongestOutline) {
+TEST(SilhouetteFeatures, OutlineFeaturesUseOnlyTheLongestOutline) {
   const auto large = [](double x, double y) { return std::max(std::abs(x + 0.3), std::abs(y)) < 0.4; };
   const SilhouetteFeatures features_of(pixels);
   const auto alone = features_of(image_of(large));

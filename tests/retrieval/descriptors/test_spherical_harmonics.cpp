@@ -23,7 +23,7 @@ Eigen::VectorXd harmonic(const Points& directions, int l, int m) {
   return values;
 }
 
-TEST(SphericalHarmonicNorms, OfASingleHarmonicHaveASingleFrequency) {
+TEST(SphericalHarmonicNorms, OfASingleHarmonicAreZeroAtOtherFrequencies) {
   const int bandwidth = 8;
   const HarmonicTransform transform(bandwidth);
   for (int l = 0; l < bandwidth; ++l) {
@@ -55,7 +55,7 @@ double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b)
   return l2_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(SphericalHarmonics, OfASphereHaveOnlyFrequencyZero) {
+TEST(SphericalHarmonics, OfASphereAreZeroExceptAtFrequencyZero) {
   const SphericalHarmonicsOptions options = {.shells = 16, .bandwidth = 8, .width = 0.25};
   const Eigen::VectorXf found = spherical_harmonics(test::sphere(5, 4), options);
   for (Eigen::Index shell = 0; shell < options.shells; ++shell) {
@@ -68,7 +68,7 @@ TEST(SphericalHarmonics, OfASphereHaveOnlyFrequencyZero) {
   }
 }
 
-TEST(SphericalHarmonics, HardlyChangeUnderRotationAndNotUnderTranslationAndScale) {
+TEST(SphericalHarmonics, HardlyChangeUnderRotationTranslationAndScale) {
   const Shape bar = test::box({1, 2, 4}, 3);
   const Shape other = test::box({1, 3, 3}, 3);
   for (const bool voxels : {false, true}) {
@@ -86,7 +86,7 @@ TEST(SphericalHarmonics, HardlyChangeUnderRotationAndNotUnderTranslationAndScale
   }
 }
 
-TEST(SphericalHarmonics, HardlyDependOnOrientationAndMeshing) {
+TEST(SphericalHarmonics, HardlyDependOnFaceOrientationAndMeshing) {
   const Shape bar = test::box({1, 2, 4}, 3);
   const Eigen::VectorXf expected = spherical_harmonics(bar);
   // Centroid and size are estimated from other samples.
@@ -95,7 +95,7 @@ TEST(SphericalHarmonics, HardlyDependOnOrientationAndMeshing) {
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::box({1, 2, 4}, 7)), expected), tolerance);
 }
 
-TEST(SphericalHarmonics, UseThePointsOfClouds) {
+TEST(SphericalHarmonics, OfAPointCloudAreCloseToThoseOfItsMesh) {
   const Shape ball = test::sphere(1, 4);
   const Eigen::VectorXf mesh = spherical_harmonics(ball);
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(Shape{ball.vertices, {}}), mesh), 0.1 * mesh.norm());

@@ -10,7 +10,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(SurfaceMesh, OfACloudHasFourTimesTheAreaAndTheSameMoments) {
+TEST(SurfaceMesh, OfACloudHasFourTimesTheAreaOfTheSampledSurface) {
   const Shape ball = test::sphere(2, 5);
   const SurfaceMoments found = surface_moments(surface_mesh(test::random_points(ball, 5000, 1)));
   const double area = 16 * std::numbers::pi;
@@ -21,7 +21,7 @@ TEST(SurfaceMesh, OfACloudHasFourTimesTheAreaAndTheSameMoments) {
   EXPECT_LT((found.normals - Eigen::Matrix3d::Identity() / 3).norm(), 0.02);
 }
 
-TEST(SurfaceMesh, SquaresOfACloudAreCentredOnPointsAndNormalToThem) {
+TEST(SurfaceMesh, OfACloudHasSquaresCentredOnPointsPerpendicularToNormals) {
   Shape cloud = test::random_points(test::sphere(1, 3), 50, 1);
   cloud.normals = cloud.vertices.rowwise().normalized();
   const Shape found = surface_mesh(cloud);

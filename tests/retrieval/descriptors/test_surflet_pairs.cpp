@@ -48,7 +48,7 @@ TEST(SurfletPairs, SquaredFeaturesSumToOne) {
 
 // On the unit sphere the chord t of two random points has the density t / 2 on [0, 2] and mean 4/3; both normals have
 // the cosine t / 2 with the chord, and 1 - t^2 / 2 with each other.
-TEST(SurfletPairs, OfASphereMatchRandomChords) {
+TEST(SurfletPairs, OfASphereMatchTheDistributionOfRandomChords) {
   const SurfletPairsOptions options{.distance_bins = 12, .angle_bins = 8, .largest_distance = 3};
   const Eigen::VectorXf features = pairs_of(test::sphere(2, 5), options);
   std::array<Eigen::VectorXd, 4> expected{Eigen::VectorXd::Zero(12), Eigen::VectorXd::Zero(8), Eigen::VectorXd::Zero(8),
@@ -73,7 +73,7 @@ TEST(SurfletPairs, OfASphereMatchRandomChords) {
   }
 }
 
-TEST(SurfletPairs, OfAFlatSheetHaveNormalsPerpendicularToTheLine) {
+TEST(SurfletPairs, OfAFlatSheetHaveNormalsPerpendicularToConnectingLines) {
   const Shape sheet{Points{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
   const SurfletPairsOptions options;
   const Eigen::VectorXf features = pairs_of(sheet, options);
@@ -97,7 +97,7 @@ TEST(SurfletPairs, HardlyChangeUnderMotionScaleReflectionAndMeshing) {
   EXPECT_LT(distance_of(pairs_of(test::random_points(capsule, 10000, 1)), expected), 0.2 * to_another);
 }
 
-TEST(SurfletPairs, AreTheSameWithASharedProxy) {
+TEST(SurfletPairs, DoNotChangeWithASharedSurfaceProxy) {
   const Shape shape = test::capsule(0.3, 2, 16, 16);
   const Descriptor& one = descriptors().at("surflet_pairs");
   ProxySource shared(shape);
