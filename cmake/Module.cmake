@@ -101,8 +101,10 @@ function(shapegauge_configure_target target)
     target_compile_options(${target} PRIVATE -Wno-overlength-strings)
   endif()
   if(SHAPEGAUGE_SANITIZE)
-    target_compile_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-sanitize-recover=all
-                                            -fno-omit-frame-pointer)
+    target_compile_options(
+      ${target}
+      PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+             $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/support/sanitizer_ignorelist.txt>)
     target_link_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE})
   endif()
 endfunction()
