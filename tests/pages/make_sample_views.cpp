@@ -11,6 +11,7 @@
 #include "tests/pages/sample_segmentation.h"
 #include "tests/pages/sample_views.h"
 
+// NOLINTNEXTLINE(bugprone-exception-escape): ends the program, and the test that runs it fails
 int main(int argument_count, char** arguments) {
   if (argument_count != 2) {
     std::cerr << "usage: make_sample_views FOLDER\n";

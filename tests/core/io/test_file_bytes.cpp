@@ -86,7 +86,7 @@ TEST_F(AtomicFileTest, ReplacementKeepsThePermissionsOfTheEarlierFile) {
   }
 }
 
-TEST_F(AtomicFileTest, RefusesToReplaceAnExistingFileIfANewOneIsExpected) {
+TEST_F(AtomicFileTest, RefusesToReplaceAFileCreatedAfterTheCheck) {
   const fs::path path = at("result");
   expect_new_file(path, true);
   const fs::path other = folder_.file("result", "of another program");

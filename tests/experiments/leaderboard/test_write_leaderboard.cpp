@@ -118,7 +118,7 @@ TEST_F(WriteLeaderboardSite, HidesClassNamesAndScoresOnRequest) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
-TEST_F(WriteLeaderboardSite, UpdatedSiteEqualsANewlyWrittenSite) {
+TEST_F(WriteLeaderboardSite, UpdatedSiteHasTheContentsOfAFreshSite) {
   update(small.folder.path() / "grown");
   small.add("third.csv", test_board::small_matrix(1));
   update(small.folder.path() / "grown");
