@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -291,13 +292,14 @@ TEST_F(RunCommand, ShapeComparisonReportsShapesWithGapsWiderThanTheOffset) {
 }
 
 TEST_F(RunCommand, WritesNoResultsIfInterrupted) {
-  // `timeout` sends the signal while the models are worked on: very many rays from larger spheres take long enough.
+  // Very many rays from larger spheres take several seconds.
   for (const char* model : {"T0.off", "T3.off", "T6.off"}) write_off(at("data") / model, test::sphere(1, 3));
-  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 2 " + executable_for_shell() +
-                           " run '" + at("small.json").string() + "' --threads 1 --output '" + at("out").string() +
-                           "' --set signatures.0.field.rays=10000 2>'" + at("errors").string() + "'";
-  const int status = std::system(call.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  BackgroundRun run({"run", at("small.json").string(), "--output", at("out").string(), "--no-cache", "--threads", "1",
+                     "--set", "signatures.0.field.rays=10000"},
+                    at("errors"));
+  ASSERT_TRUE(run.wait_until([&] { return fs::exists(at("out")); })) << text_of(at("errors"));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
   EXPECT_EQ(text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
   EXPECT_TRUE(fs::is_empty(at("out")));
 }
