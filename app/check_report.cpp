@@ -32,9 +32,11 @@ struct RegionWords {
   const char* edge;  ///< of regions with ThinRegion::is_edge
   const char* one;   ///< violation
   const char* several;
+  const char* one_edge;
+  const char* several_edges;
 };
-constexpr RegionWords wall_words{"wall", "edge", "thin wall", "thin walls"};
-constexpr RegionWords gap_words{"gap", "notch", "narrow gap", "narrow gaps"};
+constexpr RegionWords wall_words{"wall", "edge", "thin wall", "thin walls", "sharp edge", "sharp edges"};
+constexpr RegionWords gap_words{"gap", "notch", "narrow gap", "narrow gaps", "sharp notch", "sharp notches"};
 
 std::string kind_of(const ThinRegion& region, const RegionWords& words) {
   return region.is_edge ? words.edge : words.kind;
@@ -63,11 +65,21 @@ TextTable table_of(const ThinRegions& found, const RegionWords& words, const std
   return table;
 }
 
+/// Adds the number of violations, or of edges, to the list if there are any: "2 thin walls".
+void list_regions(const ThinRegions& found, bool edges, const RegionWords& words, std::vector<std::string>& list) {
+  const auto count = std::ranges::count(found.regions, edges, &ThinRegion::is_edge);
+  if (count == 0) return;
+  list.push_back(edges ? count_text(count, words.one_edge, words.several_edges)
+                       : count_text(count, words.one, words.several));
+}
+
 std::string text_of(const ThinRegions& found, const RegionWords& words, const std::string& unit) {
   constexpr std::size_t row_limit = 20;
   if (found.limit == 0) return "";
-  std::string text = fmt::format("{} below {:g}{}: {}\n", words.several, found.limit, unit.empty() ? "" : " " + unit,
-                                 found.regions.empty() ? "none" : std::to_string(found.regions.size()));
+  std::vector<std::string> counts;
+  for (const bool edges : {false, true}) list_regions(found, edges, words, counts);
+  std::string text = fmt::format("{}s below {:g}{}: {}\n", words.kind, found.limit, unit.empty() ? "" : " " + unit,
+                                 counts.empty() ? "none" : fmt::format("{}", fmt::join(counts, ", ")));
   if (!found.regions.empty()) text += to_plain_text(table_of(found, words, unit, row_limit));
   if (found.regions.size() > row_limit) {
     text += fmt::format("and {} more; --format csv lists all\n", found.regions.size() - row_limit);
@@ -80,21 +92,14 @@ std::string text_of(const ThinRegions& found, const RegionWords& words, const st
   return text;
 }
 
-/// Lists violations, or regions that are none: "2 thin walls".
-void list_regions(const ThinRegions& found, bool edges, const char* one, const char* several,
-                  std::vector<std::string>& list) {
-  const auto count = std::ranges::count(found.regions, edges, &ThinRegion::is_edge);
-  if (count > 0) list.push_back(count_text(count, one, several));
-}
-
 std::string verdict(const PartReport& report) {
   std::vector<std::string> violations;
-  list_regions(report.walls, false, wall_words.one, wall_words.several, violations);
-  list_regions(report.gaps, false, gap_words.one, gap_words.several, violations);
+  list_regions(report.walls, false, wall_words, violations);
+  list_regions(report.gaps, false, gap_words, violations);
   if (!violations.empty()) return fmt::format("does not pass: {}", fmt::join(violations, ", "));
   std::vector<std::string> others;
-  list_regions(report.walls, true, "sharp edge", "sharp edges", others);
-  list_regions(report.gaps, true, "sharp notch", "sharp notches", others);
+  list_regions(report.walls, true, wall_words, others);
+  list_regions(report.gaps, true, gap_words, others);
   return others.empty() ? "passes" : fmt::format("passes; {} below the limit", fmt::join(others, ", "));
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -222,7 +221,8 @@ ThinRegions regions_of(const CellSampler& sampler, std::vector<ThinCell>& cells,
     measure_smallest(sampler, cells, members, region);
     result.regions.push_back(std::move(region));
   }
-  std::ranges::stable_sort(result.regions, std::greater{}, &ThinRegion::area);
+  std::ranges::stable_sort(result.regions, {},
+                           [](const ThinRegion& region) { return std::pair(region.is_edge, -region.area); });
   return result;
 }
 

@@ -41,9 +41,10 @@ struct ThinRegion {
 /// Thin regions of a surface below one limit, that of wall thickness or that of gap width.
 struct ThinRegions {
   double limit = 0;  ///< minimum thickness or width that was checked, in the shape's units; 0: not checked
-  std::vector<ThinRegion> regions;  ///< regions of at least the minimum area, largest first
-  std::size_t small_regions = 0;    ///< number of regions that are not listed because they are below the minimum area
-  double small_area = 0;            ///< total area of the regions that are not listed, in the shape's units squared
+  std::vector<ThinRegion>
+      regions;                    ///< regions of at least the minimum area: violations, then edges, each largest first
+  std::size_t small_regions = 0;  ///< number of regions that are not listed because they are below the minimum area
+  double small_area = 0;          ///< total area of the regions that are not listed, in the shape's units squared
   /// Maximum spacing of the samples, in the shape's units: the limit, or more on a mesh of a very large area. Thin
   /// regions narrower than this may be missed.
   double spacing = 0;

@@ -30,7 +30,7 @@ export function selectionAfter(selected, { key, shiftKey }, bins) {
 function drawBars(container, { shares, low, high, label, size, colourOf, ticks, title, mark }) {
   const bins = shares.length;
   const { svg, area, width, height } =
-    drawing(container, { ...size, left: 60, right: 12, top: 8, bottom: 42, label });
+    drawing(container, { ...size, left: 72, right: 12, top: 8, bottom: 42, label });
   const x = d3.scaleLinear([low, high > low ? high : low + 1], [0, width]);
   const y = d3.scaleLinear([0, Math.max(...shares) || 1], [height, 0]).nice(3);
   y.domain([0, Math.min(1, y.domain()[1])]);
@@ -44,7 +44,7 @@ function drawBars(container, { shares, low, high, label, size, colourOf, ticks, 
   area.append('g').attr('class', 'axis').call(d3.axisLeft(y).ticks(3, '%'));
   area.append('text').attr('class', 'title').attr('x', width / 2).attr('y', height + 37).attr('text-anchor', 'middle')
     .text(shortened(title, width / 7));
-  area.append('text').attr('transform', `translate(-46,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle')
+  area.append('text').attr('transform', `translate(-60,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle')
     .text('Share of the area');
   if (mark >= low && mark <= high) {
     area.append('line').attr('class', 'level threshold').attr('y1', 0).attr('y2', height)

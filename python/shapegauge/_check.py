@@ -37,7 +37,7 @@ class ThinRegion:
 
 @dataclass(frozen=True, eq=False)
 class CheckReport:
-    """Result of check(): regions by area, largest first.
+    """Result of check(): violations, then edges and notches, each largest first.
 
     small_regions: number of regions below min_area. voids: number of closed cavities. closed: the mesh is closed and
     consistently oriented.

@@ -25,8 +25,8 @@ class CheckCommand : public CommandTest {
 TEST_F(CheckCommand, ExitsWithStatusThreeForThinWallsAndZeroOtherwise) {
   const Outcome thin = check("--unit mm --min-wall 1.2 --min-gap 0.5");
   EXPECT_EQ(thin.status, 3) << thin.errors;
-  EXPECT_THAT(thin.output, HasSubstr("thin walls below 1.2 mm: 2\n"));
-  EXPECT_THAT(thin.output, HasSubstr("narrow gaps below 0.5 mm: none\n"));
+  EXPECT_THAT(thin.output, HasSubstr("walls below 1.2 mm: 2 thin walls\n"));
+  EXPECT_THAT(thin.output, HasSubstr("gaps below 0.5 mm: none\n"));
   EXPECT_THAT(thin.output, HasSubstr("does not pass: 2 thin walls\n"));
   const Outcome thick = succeeded(check("--unit mm --min-wall 900um"));
   EXPECT_THAT(thick.output, HasSubstr("\npasses\n"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/pages/sample_views.h"
 
+#include <limits>
+
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge::test_view {
@@ -14,8 +16,11 @@ ShapeView balls() {
   const Samples samples = sample_shape(view.shape, SampleSite::faces);
   Eigen::VectorXd thickness = Eigen::VectorXd::Constant(2 * faces, 2);
   thickness.tail(faces).setConstant(0.5);
+  Eigen::VectorXd rare = Eigen::VectorXd::Constant(2 * faces, std::numeric_limits<double>::quiet_NaN());
+  rare.head(2).setOnes();  // 0.15 % of the area
   view.fields = {{.name = "thickness", .values = thickness, .colours = {.low = 0.5, .high = 2}, .measured_by = "ball"},
-                 {.name = "height", .values = samples.points.col(2), .colours = {.low = -1, .high = 1}}};
+                 {.name = "height", .values = samples.points.col(2), .colours = {.low = -1, .high = 1}},
+                 {.name = "rare", .values = rare, .colours = {.low = 0, .high = 2}}};
   std::vector<std::int32_t> labels(static_cast<std::size_t>(2 * faces), 0);
   std::fill(labels.begin() + faces, labels.end(), 1);
   view.parts = {{.name = "Parts", .labels = labels, .colours = {Colour{200, 40, 40}, Colour{40, 40, 200}}}};

@@ -487,6 +487,15 @@ TEST(PartCheck, ThinRodsAndLimbsAreReportedAsThinWalls) {
   EXPECT_FALSE(capsule.regions[0].is_edge);
 }
 
+TEST(PartCheck, ListsSmallViolationsBeforeLargeSharpEdges) {
+  const Shape prism = solid(regular(3, 2 * std::sqrt(3)), 10);
+  const PartReport report =
+      check_part(test::joined({prism, block({20, 0, 0}, {22, 2, 1}, 1)}), {.min_wall = wall_limit});
+  ASSERT_EQ(report.walls.regions.size(), 5);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(report.walls.regions[i].is_edge, i >= 2) << i;
+  EXPECT_LT(report.walls.regions[0].area, report.walls.regions[4].area);
+}
+
 TEST(PartCheck, SharpRimOfAThinPlateBelongsToItsThinWall) {
   const PartReport report = check_part(solid(bevelled(1), 10), {.min_wall = wall_limit});
   ASSERT_EQ(report.walls.regions.size(), 1);
