@@ -131,10 +131,11 @@ test('shapes use a common scale, their own or the given one', () => {
 
 test('a view lists the fields, parts and normals of its shapes', () => {
   const shapes = [sample.balls, sample.cloud].map(unpackShape);
-  assert.deepEqual(channelsOf(shapes).map(({ name }) => name), ['thickness', 'height', 'Parts', 'Normals', 'Nothing']);
+  assert.deepEqual(channelsOf(shapes).map(({ name }) => name), ['thickness', 'height', 'rare', 'Parts', 'Normals',
+    'Nothing']);
   assert.deepEqual(channelsOf(shapes.slice(1)).map(({ name }) => name), ['thickness', 'Nothing']);
   assert.equal(channelsOf(shapes)[1].of(shapes[1]), null);
-  assert.equal(shownBy(channelsOf(shapes)[2], shapes[0], null).to, 1);
+  assert.equal(shownBy(channelsOf(shapes)[3], shapes[0], null).to, 1);
 });
 
 test('histograms have one bin per part or 64 bins of values', () => {

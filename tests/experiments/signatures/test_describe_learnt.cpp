@@ -159,7 +159,7 @@ TEST(DescribeWithCodebook, ReusesCachedResultsOnlyForAnUnchangedCollection) {
     const Outcome outcome = described(models, mean_configuration(), cache);
     EXPECT_EQ(outcome.learnt[1](0, 0), static_cast<float>(values.size()));
     for (const auto& [index, value] : values) EXPECT_EQ(feature_of(models, index), value - outcome.learnt[1](0, 1));
-    const CacheUse& features = cache.report().uses.at(static_cast<std::size_t>(EntryKind::features));
+    const CacheUse features = cache.report().uses.at(static_cast<std::size_t>(EntryKind::features));
     return std::pair(lessons_learnt - before, features.hits);
   };
   EXPECT_EQ(run(five_values), std::pair(1, std::size_t{0}));
