@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -210,7 +209,7 @@ class MethodsRun {
     const EvaluationOptions& evaluation = configuration_->evaluation;
     std::vector<std::string> measures;
     for (const Measure& measure : evaluation.measures) measures.push_back(measure.name);
-    std::vector<std::string_view> protocols;
+    std::vector<std::string> protocols;
     for (const Protocol protocol : configuration_->protocols) protocols.push_back(name_of(protocol));
     return result_key(EntryKind::evaluation, {{"distances", streamed.key},
                                               {"labels", sha256(encode(labels_))},
