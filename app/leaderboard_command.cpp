@@ -150,7 +150,7 @@ std::string formatted_datasets(const DatasetLeaderboards& all, const JudgingOpti
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(multi_dataset_csv_table(all.results, style));
   const MultiDatasetTable& main = main_table(all.results);
-  const std::string table = table_text(multi_dataset_summary(all.results, main, style), format, output_has_colours());
+  std::string table = table_text(multi_dataset_summary(all.results, main, style), format, output_has_colours());
   if (format == TableFormat::latex) return table;
   return fmt::format("{}\n{} ({}, mean over queries). {}\n", table, main.measure, main.protocol,
                      test_words(all.results, main));

@@ -182,7 +182,8 @@ bool begins_like_obj(std::string_view bytes) {
 }
 
 void check_obj_header(const std::string& bytes, const std::string& name) {
-  TextScanner scanner(bytes, name);
+  const std::string text = with_separate_continuations(bytes);
+  TextScanner scanner(text, name);
   while (!scanner.at_end()) {
     if (is_keyword(scanner.read_word(), "v")) return;
     scanner.skip_line();

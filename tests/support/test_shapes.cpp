@@ -184,8 +184,9 @@ Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotat
 
 Shape twisted_band(int around, int half_turns) {
   Shape band;
-  band.vertices.resize(2 * around, 3);
-  band.triangles.resize(2 * around, 3);
+  const int rows = 2 * around;
+  band.vertices.resize(rows, 3);
+  band.triangles.resize(rows, 3);
   for (int i = 0; i < around; ++i) {
     const double angle = 2 * std::numbers::pi * i / around;
     const double tilt = half_turns * angle / 2;
@@ -195,11 +196,12 @@ Shape twisted_band(int around, int half_turns) {
       band.vertices.row(2 * i + side) << radius * std::cos(angle), radius * std::sin(angle), across * std::sin(tilt);
     }
     const bool swaps = i + 1 == around && half_turns % 2 != 0;
-    const int next = 2 * ((i + 1) % around);
+    const int here = 2 * i;
+    const int next = (here + 2) % rows;
     const int low = next + (swaps ? 1 : 0);
     const int high = next + (swaps ? 0 : 1);
-    band.triangles.row(2 * i) << 2 * i, 2 * i + 1, high;
-    band.triangles.row(2 * i + 1) << 2 * i, high, low;
+    band.triangles.row(here) << here, here + 1, high;
+    band.triangles.row(here + 1) << here, high, low;
   }
   return band;
 }

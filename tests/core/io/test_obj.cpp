@@ -110,6 +110,7 @@ TEST(ReadObj, RefusesTextThatIsNotAMesh) {
 
 TEST(ReadObj, HeaderCheckRejectsTextWithoutVertices) {
   EXPECT_NO_THROW(obj_format().check_header("# v\no x\nv 0", "t.obj"));
+  EXPECT_NO_THROW(obj_format().check_header("v\\\n0 0 0\n", "t.obj"));
   EXPECT_THROW(obj_format().check_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
 }
 
