@@ -31,9 +31,10 @@ Options read_options(const std::array<OptionParameter<Options>, count>& table, c
   return options_from(table, read_parameters(parameters, settings));
 }
 
-/// Formats a struct of options as an object whose keys are the names in `table`, as read_options() reads it.
+/// Formats a struct of options as an object whose keys are the names in `table`, as read_options() reads it. Returns
+/// nlohmann::json, as `auto` since that is declared only.
 template <typename Options, std::size_t count>
-nlohmann::json options_json(const std::array<OptionParameter<Options>, count>& table, const Options& options) {
+auto options_json(const std::array<OptionParameter<Options>, count>& table, const Options& options) {
   const std::array<Parameter, count> parameters = parameters_of(table);
   return to_json(values_of(parameters, table, options));
 }
