@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/terminal.h"

@@ -142,7 +142,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                   const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
                   int threads) {
-  auto [labels, warnings] = compute(threads, [&] {
+  auto [spread_labels, all_warnings] = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "segmentation_method", "the segmentation");
     if (json.contains("perturbations")) throw InputError("perturbations are settings of experiments; use run()");
@@ -162,7 +162,7 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     }
     return std::pair(clean.spread(labels, -1), std::move(warnings));
   });
-  return py::make_tuple(array_of(std::move(labels)), warnings);
+  return py::make_tuple(array_of(std::move(spread_labels)), all_warnings);
 }
 
 /// Returns the features and warnings.

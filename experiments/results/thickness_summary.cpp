@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "shapegauge/core/base/text.h"
+
 namespace shapegauge {
 
 namespace {
