@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 #include "tests/experiments/leaderboard/small_board.h"
