@@ -19,6 +19,7 @@ namespace {
 using test::text_of;
 using test::write_text;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 class SdfCommand : public CommandTest {
  protected:
